@@ -229,7 +229,7 @@ static bool was_stopped(const batch *b, const batch_job *j, int wait_status)
     return asked && status_of(wait_status) == FLOE_INTERRUPTED;
 }
 
-/* A run that ends in an error of its files or its deck may have been given a checkpoint that is none: it is begun anew. */
+/* Whether a resumed run may have failed because of its checkpoint: it ended with an error of files or of the deck. It is then begun anew. */
 static bool was_refused(const batch_case *one, int wait_status)
 {
     return one->resumed && WIFEXITED(wait_status) &&

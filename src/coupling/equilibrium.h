@@ -2,11 +2,11 @@
  *     F(p) = sum_r a_r v_r(p) - 1 = 0,    a_r = m_r / V (m_r / TMV with materials carried by points),
  * v_r(p) = v_r(p, T_r) with T_r frozen, or along an isentrope.
  *
- * F falls strictly. Newton's method is taken on (p + s) F(p), s = -(largest pressure floor of the materials), which is linear for an ideal gas
- * beside an incompressible material. It is GSL's (gsl_root_fdfsolver_newton), one cell after the other, and GSL's tests of residual and interval say
- * when it ends; one step is taken before of all cells side by side, so that the laws see them in batches: most need no other. The signs of F
- * give a bracket, outside of which no law is evaluated: where a step leaves a wide one the next start is its geometric mean, and in a narrow one Brent's
- * method (gsl_root_fsolver_brent) ends the search. What comes out of a cell does not depend on the others. */
+ * F decreases with p. Newton's method is applied to (p + s) F(p), s = -(largest pressure floor of the materials), which is linear for an ideal gas beside an
+ * incompressible material. The solver is GSL's (gsl_root_fdfsolver_newton), one cell after the other, and GSL's tests of residual and interval decide
+ * convergence. One step is taken first for all cells side by side, so that the laws are evaluated in batches; most cells need no other. The signs of F give a
+ * bracket, outside of which no law is evaluated: where a step leaves a wide bracket, the next start is its geometric mean; in a narrow one Brent's method
+ * (gsl_root_fsolver_brent) finishes the search. The result of a cell does not depend on the other cells. */
 #ifndef COUPLING_EQUILIBRIUM_H
 #define COUPLING_EQUILIBRIUM_H
 

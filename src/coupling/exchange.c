@@ -52,7 +52,7 @@ static parts find_parts(int n, const double *mass, exchange_matrix a)
     return p;
 }
 
-/* Those of one part; all of them where `part` is negative. */
+/* The materials of one group (find_parts), all of them where `part` is negative: which are free and which is prescribed. */
 static present find_present(int n, const double *mass, const parts *all, int part)
 {
     present p = {.fixed = -1};
@@ -113,7 +113,7 @@ static void substitute_back(int n, exchange_matrix f, double *y)
         for (int k = i + 1; k < n; ++k) y[i] -= f[k][i] * y[k];
 }
 
-/* Deviations y from `reference`, in which (diag(m) + A) y = m (u - reference) + pull of the prescribed ones. */
+/* Deviations y from `reference`, of (diag(m) + A) y = m (u - reference) + sum over prescribed s of a_rs (u_s - reference). */
 static void relax_column(const present *p, exchange_matrix a, exchange_matrix f, int n, const double *mass, double *u)
 {
     const double reference = p->fixed >= 0 ? u[p->fixed] : centre_of_mass(p, u);
@@ -139,6 +139,7 @@ static void fill_absent(const present *p, int n, const double *mass, double *u)
         if (!(mass[r] > 0.0)) u[r] = mean;
 }
 
+/* Relaxes the materials of one group: two free ones in closed form, more by the factored matrix. */
 static void relax_part(const present *p, int n, const double *mass, exchange_matrix a, int columns,
                        double value[][EXCHANGE_MAX])
 {

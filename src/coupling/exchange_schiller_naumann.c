@@ -33,7 +33,7 @@ static double ranz_marshall_heat(const void *par, const exchange_pair *q)
     return 6.0 * a->conductivity * nusselt / (d * d) * dispersed_share(q);
 }
 
-static const char *check_viscosity(const void *par, const double viscosity[2])
+static const char *schiller_naumann_check_viscosity(const void *par, const double viscosity[2])
 {
     return dispersed_check(par, viscosity); /* both parameter structs begin with the spheres */
 }
@@ -46,10 +46,10 @@ const exchange_model exchange_schiller_naumann = {
                                    .params = momentum_params,
                                    .n_params = 2,
                                    .coefficient = schiller_naumann_drag,
-                                   .check = check_viscosity},
+                                   .check = schiller_naumann_check_viscosity},
             [EXCHANGE_HEAT] = {.param_size = sizeof(sphere_heat_par),
                                .params = heat_params,
                                .n_params = 4,
                                .coefficient = ranz_marshall_heat,
-                               .check = check_viscosity}},
+                               .check = schiller_naumann_check_viscosity}},
 };

@@ -26,7 +26,7 @@ static double conduction_heat(const void *par, const exchange_pair *q)
     return 12.0 * a->conductivity / (a->diameter * a->diameter) * dispersed_share(q);
 }
 
-static const char *check_viscosity(const void *par, const double viscosity[2])
+static const char *stokes_check_viscosity(const void *par, const double viscosity[2])
 {
     return dispersed_check(&((const stokes_par *)par)->spheres, viscosity);
 }
@@ -39,7 +39,7 @@ const exchange_model exchange_stokes = {
                                    .params = momentum_params,
                                    .n_params = 2,
                                    .coefficient = stokes_drag,
-                                   .check = check_viscosity},
+                                   .check = stokes_check_viscosity},
             [EXCHANGE_HEAT] = {.param_size = sizeof(conduction_par),
                                .params = heat_params,
                                .n_params = 2,

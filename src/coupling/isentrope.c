@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* Through (v, e), where the law has p and c2. */
+/* The isentrope through the state (v, e), where the law gives the pressure p and the squared speed of sound c2; false where that is no state. */
 static bool pass_isentrope_through(double floor, double v, double e, double p, double c2, isentrope *out)
 {
     *out = (isentrope){.v = v, .e = e, .p = p, .floor = floor, .exponent = 1.0 / v * c2 / (p - floor)};

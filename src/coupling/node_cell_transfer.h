@@ -3,7 +3,7 @@
  *
  * The weight of node i in cell c is w_ci = 2^-d, doubled for each non-periodic side of the domain that the node lies
  * on, since half of its cells are missing there: then the weights of every node sum to one over the cells of the
- * domain, and both directions of the transfer have the same weightss, so that mass and momentum are conserved to
+ * domain, and both directions of the transfer have the same weights, so that mass and momentum are conserved to
  * round-off at every boundary. */
 #ifndef COUPLING_TRANSFER_H
 #define COUPLING_TRANSFER_H
@@ -48,8 +48,8 @@ floe_status transfer_temperature_to_nodes(transfer *t);
  * again, the second that after them. */
 floe_status transfer_momentum_before(transfer *t);
 floe_status transfer_stress_to_cells(transfer *t);
-/* N_BURNT_SHARE: of the mass about a node, what the reactions ask for in C_REACTED, averaged from the cells as the mass
- * went to them; C_REACTED is the cells' own shares then. A cell loses no more than half of its solid in a step. */
+/* N_BURNT_SHARE: the share of the mass about a node that burns, averaged over the cells with the weights of the mass,
+ * from C_REACTED, in which cells then have their own shares. A cell loses at most half of its solid in a step. */
 floe_status transfer_share_to_nodes(transfer *t);
 /* What the points have lost, by the weights of their mass: C_REACTED, C_BURNT_MOMENTUM, C_BURNT_ENERGY per cell
  * volume. */

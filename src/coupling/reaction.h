@@ -1,7 +1,7 @@
-/* Reactions: mass of one material of a cell becomes mass of another (step 4 of Guilkey et al. 2003). One file adds a
- * law of the rate: reaction_<name>.c ends in a const descriptor `reaction_<name>`. Rates are integrated over the step
- * in each cell by one explicit step where that will do, else, however stiff, by CVODE's backward differences, with the
- * temperature that follows from the heat so far; the pressure stays that of the step's start. */
+/* Reactions: mass of one material of a cell becomes mass of another (step 4 of Guilkey et al. 2003). One file adds a law of the rate: reaction_<name>.c ends
+ * in a const descriptor `reaction_<name>`. In each cell the rate is integrated over the step: by one explicit step if that is accurate enough, else by
+ * CVODE's backward differentiation formulas, which take any stiffness. The temperature follows from the heat released so far; the pressure is that of the
+ * start of the step. */
 #ifndef COUPLING_REACTION_H
 #define COUPLING_REACTION_H
 

@@ -1,12 +1,11 @@
-/* Exchange between pairs with different coefficients, with a third material in traces.
+/* Exchange between pairs with different coefficients, where a third material is present in traces.
  *
- * Water slips along a wall; a trace of air that is locked to both would lock them to each other, however small its
- * mass: exchange is implicit, and a coupling without limit transmits a force without limit through any mass. So a trace
- * takes part twice, by its weight w: with couplings of at most m w/(1 - w) in the system of all, and with what is
- * left of them by following the mean of its heavier partners, which get back what it takes and no more: what it carries
- * from one to the other then vanishes with its mass.
+ * Example: water slips along a wall, and a trace of air is locked to both. Since exchange is implicit, a coupling without limit transmits a force without
+ * limit through any mass, and the trace would lock water and wall to each other. Therefore a trace takes part twice, by its weight w: in the system of all
+ * materials, with couplings of at most m w/(1 - w); and, with the rest of its couplings, by following the mean of its heavier partners, which lose exactly
+ * what it gains. The momentum that it transmits from one partner to the other then vanishes with its mass.
  *
- * w is 0 below a share of 1e-4 of the cell and 1 from 1e-2 on, by mass or by volume, whichever is more. */
+ * w is 0 below a share of 1e-4 of the cell and 1 from 1e-2 on, by mass or by volume, whichever is larger. */
 #include "coupling/exchange.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
-/* How the pressure of fluids on walls gives way as the walls move (theory 7.6): the cells of the fluids at a wall, and the
- * vertices of the wall on which they push. The fluids fill it in, the solids find the changes of pressure, and both
- * take them. */
+/* Response of the fluids' pressure on walls to the motion of the walls in the step (theory 7.6): the fluid cells at a wall, and the vertices
+ * of the wall on which their pressure acts. The fluids describe the response, the solids solve for the changes of pressure, and both
+ * apply them. */
 #ifndef COUPLING_WALL_RESPONSE_H
 #define COUPLING_WALL_RESPONSE_H
 
@@ -36,7 +36,7 @@ typedef struct wall_response {
 void wall_response_free(wall_response *w);
 /* Empties it. */
 void wall_response_clear(wall_response *w);
-/* Adds `n` cells without pushes and pressures. */
+/* Adds `n` cells without forces on vertices and without pressures. */
 floe_status wall_response_add_cells(wall_response *w, int n);
 /* Adds an area (m2, three numbers) of a cell to what it has at a vertex. */
 floe_status wall_response_add_push(wall_response *w, int cell, int vertex, const double area[3]);

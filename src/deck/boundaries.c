@@ -119,9 +119,7 @@ const variants boundary_kinds = {"boundary condition", side_list, sizeof side_li
 
 const char *axis_name(const mesh_spec *spec, int axis)
 {
-    static const char *const cartesian[] = {"x", "y", "z"}, *const axisymmetric[] = {"r", "z"};
-    if (spec->geometry == MESH_AXISYMMETRIC) return axis < 2 ? axisymmetric[axis] : NULL;
-    return axis < 3 ? cartesian[axis] : NULL;
+    return mesh_axis_name(spec->geometry, axis);
 }
 
 static const char *candidate_axis_name(const void *user, size_t i)

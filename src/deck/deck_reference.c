@@ -10,11 +10,6 @@ typedef struct page {
     const deck_catalogue *catalogue;
 } page;
 
-static bool has_unit(const key_spec *key)
-{
-    return key->unit && strcmp(key->unit, "1") != 0;
-}
-
 static void print_choices(page *p, const choice *choices)
 {
     for (const choice *c = choices; c->name; c++) strbuf_append(&p->out, "%s`%s`", c == choices ? "" : ", ", c->name);
@@ -61,7 +56,7 @@ static void print_form(page *p, const key_spec *key)
     case KEY_VARIANT: strbuf_append(&p->out, "`{kind: {...}}` of one %s", key->variants->noun); break;
     case KEY_SPECIAL: strbuf_append(&p->out, "%s", key->special->form); break;
     }
-    if (has_unit(key)) strbuf_append(&p->out, " [%s]", key->unit);
+    if (key_has_unit(key)) strbuf_append(&p->out, " [%s]", key->unit);
     if (key->varies)
         strbuf_append(&p->out, "; or a formula of %s",
                       key->varies == VARIES_BY_PLACE  ? "place"

@@ -10,7 +10,7 @@
 
 enum { WORDS = 512 };
 
-static bool has_unit(const key_spec *key)
+bool key_has_unit(const key_spec *key)
 {
     return key->unit && strcmp(key->unit, "1") != 0;
 }
@@ -19,7 +19,7 @@ static void describe_number(const key_spec *key, char *text, size_t size)
 {
     const param_spec spec = {.range = key->range, .lo = key->lo, .hi = key->hi};
     param_describe_range(&spec, text, size);
-    if (has_unit(key)) text_add(text, size, " in %s, or with its unit", key->unit);
+    if (key_has_unit(key)) text_add(text, size, " in %s, or with its unit", key->unit);
     if (key->varies)
         text_add(text, size, "; or a formula of %s%s%s", key->varies & VARIES_BY_PLACE ? "place" : "",
                  key->varies == VARIES_BY_PLACE + VARIES_BY_TIME ? " and " : "",
@@ -44,7 +44,7 @@ static void describe_positions(const key_spec *key, int dim, char *text, size_t 
 {
     static const char *const form[] = {"", "[x, x, ...]", "[[x, y], [x, y], ...]", "[[x, y, z], [x, y, z], ...]"};
     snprintf(text, size, "a list of %d or more positions, %s", key->least, form[dim >= 1 && dim <= 3 ? dim : 0]);
-    if (has_unit(key)) text_add(text, size, " in %s, or with units", key->unit);
+    if (key_has_unit(key)) text_add(text, size, " in %s, or with units", key->unit);
 }
 
 void describe_expected(const key_spec *key, int dim, char *text, size_t size)

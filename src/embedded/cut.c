@@ -158,7 +158,7 @@ static void bound_nodes(const cut_surface *c, int n, int *least, int *most)
     }
 }
 
-/* What surfaces hold that no node lies in, but for its size. */
+/* The volume inside surfaces that contain no node of the mesh; without its size. */
 static double enclosed_volume(const cut_surface *c)
 {
     double inside = 0.0;
@@ -168,7 +168,7 @@ static double enclosed_volume(const cut_surface *c)
     return inside;
 }
 
-/* Which nodes are inside: 1, or 0. In one dimension a node that lies in two bodies has -1. */
+/* Whether nodes are inside: 1 or 0. In one dimension a node in two bodies has -1. */
 static floe_status mark_nodes(cut_surface *c)
 {
     const int nodes = cut_nodes(c->mesh);
@@ -205,7 +205,7 @@ double cut_snapped_face(const cut_surface *c, double share, cut_shares *of)
     return snapped(share, c->overlap > 0.0 ? HUGE_VAL : cut_crossing, of);
 }
 
-/* Shares of a cell of the plane from what the walk has gathered. */
+/* Apertures and open fraction of a cell in the plane, from the sums over the pieces in it (Green; theory 7.1). */
 static cut_shares finish_in_plane(const cut_surface *c, cut_cell *k)
 {
     const mesh *m = c->mesh;
@@ -258,7 +258,7 @@ static floe_status finish_cell(cut_surface *c, cut_cell *k)
                 k->cell[0], k->cell[1], mesh_centre(c->mesh, 0, k->cell[0]), mesh_centre(c->mesh, 1, k->cell[1]));
 }
 
-/* A cell that no surface cuts: of it a node below none lies in two bodies, by more than round-off. */
+/* Checks a cell that no surface cuts: a node with a negative number lies in two bodies, by more than round-off. */
 static floe_status finish_whole(const cut_surface *c, int i, int j, int k, int *out)
 {
     const int node = node_of(c, (int)cut_node(c->mesh, (const int[]){i, j, k}));
@@ -288,7 +288,7 @@ floe_status cut_find(cut_surface *c)
     return c->overlap > 0.0 ? cut_close_contacts(c) : FLOE_OK;
 }
 
-/* On an axis whose side an end lies on, it stays there. */
+/* Whether an end lies on a side of the mesh normal to the axis; it then stays on it. */
 static bool is_on_side(const mesh *m, double x, int axis)
 {
     return x == m->lower[axis] || x == m->upper[axis];

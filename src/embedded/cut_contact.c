@@ -1,8 +1,8 @@
-/* Cells in which solids overlap, as in contact they do by round-off and by what lies between their vertices, or touch in
- * a face of the cell: less than none of the cell or of a face is open, which counts as none (theory 7.2). What is left
- * of the areas is closed by those of the pieces, so that each has the part of its area that gas can reach:
+/* Cells in which solids overlap or touch (theory 7.2). In contact they overlap by round-off and because surfaces are straight between vertices. The open area
+ * of a face, or the open volume, is then negative and is set to zero. The remaining areas do not close; the pieces close them, each in proportion to the part
+ * of its area that gas can reach:
  *
- *     A_i' = A_i - D max(A_i . D, 0) / sum_j max(A_j . D, 0),    D = sum over open faces and pieces of their areas
+ *     A_i' = A_i - D max(A_i . D, 0) / sum_j max(A_j . D, 0),    D = sum of the areas of open faces and pieces
  */
 #include "embedded/cut_internal.h"
 
@@ -16,7 +16,7 @@ typedef struct defect {
     double area[3], facing;
 } defect;
 
-static double along(const defect *d, const cut_piece *q)
+static double common_area(const defect *d, const cut_piece *q)
 {
     return fmax(q->area[0] * d->area[0] + q->area[1] * d->area[1] + q->area[2] * d->area[2], 0.0);
 }
@@ -49,12 +49,13 @@ static void close_cells(cut_surface *c, defect *of)
     }
     for (int n = 0; n < c->n_pieces; ++n)
         for (int a = 0; a < 3; ++a) of[c->piece[n].cell].area[a] += c->piece[n].area[a];
-    for (int n = 0; n < c->n_pieces; ++n) of[c->piece[n].cell].facing += along(&of[c->piece[n].cell], &c->piece[n]);
+    for (int n = 0; n < c->n_pieces; ++n)
+        of[c->piece[n].cell].facing += common_area(&of[c->piece[n].cell], &c->piece[n]);
     for (int n = 0; n < c->n_pieces; ++n) {
         cut_piece *q = &c->piece[n];
         const defect *d = &of[q->cell];
         if (!c->cell[q->cell].overlap || !(d->facing > 0.0)) continue;
-        const double share = along(d, q) / d->facing;
+        const double share = common_area(d, q) / d->facing;
         for (int a = 0; a < c->mesh->dim; ++a) q->area[a] -= share * d->area[a];
     }
 }

@@ -1,4 +1,4 @@
-/* Points on a line: surfaces on a mesh of one dimension. */
+/* Embedded boundaries in one dimension: points on a line. */
 #include "embedded/cut_internal.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@ static const double on_node = 1e-11;
 /* Place of a point in a cell (m), right of its lower side. */
 static double place_in(const mesh *m, int cell, double x)
 {
-    const double way = x - mesh_node(m, 0, cell);
-    return fabs(way) < on_node * m->h[0] ? 0.0 : fabs(way - m->h[0]) < on_node * m->h[0] ? m->h[0] : way;
+    const double offset = x - mesh_node(m, 0, cell);
+    return fabs(offset) < on_node * m->h[0] ? 0.0 : fabs(offset - m->h[0]) < on_node * m->h[0] ? m->h[0] : offset;
 }
 
 floe_status cut_point(cut_surface *c, const cut_chain *chain)
@@ -19,9 +19,9 @@ floe_status cut_point(cut_surface *c, const cut_chain *chain)
     const double x = c->vertex[chain->first].x[0];
     if (chain->outward == 0) return FLOE_OK;
     int cell[3] = {mesh_cell_of(m, 0, x), 0, 0}, at;
-    const double way = place_in(m, cell[0], x);
-    if (chain->outward > 0 && way == 0.0) cell[0]--;
-    if (chain->outward < 0 && way == m->h[0]) cell[0]++;
+    const double offset = place_in(m, cell[0], x);
+    if (chain->outward > 0 && offset == 0.0) cell[0]--;
+    if (chain->outward < 0 && offset == m->h[0]) cell[0]++;
     cell[0] = cell[0] < 0 ? 0 : cell[0] >= m->n[0] ? m->n[0] - 1 : cell[0];
     TRY(cut_touch(c, cell, &at));
     c->cell[at].jump[0][0] += chain->outward;

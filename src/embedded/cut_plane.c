@@ -1,4 +1,4 @@
-/* Lines in the plane, cell by cell. */
+/* Embedded boundaries in the plane: polylines, split at the lines of the mesh, cell by cell. */
 #include "embedded/cut_internal.h"
 
 #include <math.h>

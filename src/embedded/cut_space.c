@@ -63,8 +63,8 @@ static int cell_along(const mesh *m, int axis, double u)
     return !(u > 0.0) ? 0 : u >= m->n[axis] ? m->n[axis] - 1 : (int)u;
 }
 
-/* The corner at which the side from a to b passes a plane, always from its lower end. It lies in the faces that the
- * side lies in: one that its place happens to touch is another's. */
+/* The corner at which the side from a to b crosses a plane, always computed from its lower end. It belongs to the
+ * faces of the side only, not to others that its position happens to touch. */
 static corner passage(const corner *a, const corner *b, int axis, int plane)
 {
     const corner *lo = a->u[axis] < b->u[axis] ? a : b, *hi = lo == a ? b : a;

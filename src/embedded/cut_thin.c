@@ -1,4 +1,4 @@
-/* Places where gas lies on two sides of something thinner than a cell. */
+/* Finds solids that are thinner than a cell, with gas on both sides in the same cell. */
 #include "embedded/cut_internal.h"
 
 #include "base/memory.h"
@@ -18,7 +18,7 @@ static bool is_near_along(const cut_piece *q, const cut_piece *r)
     return abs(q->vertex[0] - r->vertex[0]) <= 2 || q->vertex[0] == r->vertex[1] || q->vertex[1] == r->vertex[0];
 }
 
-static double along(const double a[3], const double b[3], int dim)
+static double dot_along(const double a[3], const double b[3], int dim)
 {
     double sum = 0.0;
     for (int k = 0; k < dim; ++k) sum += a[k] * b[k];
@@ -29,15 +29,15 @@ static double along(const double a[3], const double b[3], int dim)
 static bool are_back_to_back(const cut_surface *c, const cut_piece *q, const cut_piece *r)
 {
     const int dim = c->mesh->dim;
-    double from[3], to[3], way[3];
+    double from[3], to[3], between[3];
     if (c->vertex[q->vertex[0]].body != c->vertex[r->vertex[0]].body) return false;
     middle_of(c, q, from);
     middle_of(c, r, to);
-    for (int a = 0; a < dim; ++a) way[a] = to[a] - from[a];
-    const double size_q = sqrt(along(q->area, q->area, dim)), size_r = sqrt(along(r->area, r->area, dim)),
+    for (int a = 0; a < dim; ++a) between[a] = to[a] - from[a];
+    const double size_q = sqrt(dot_along(q->area, q->area, dim)), size_r = sqrt(dot_along(r->area, r->area, dim)),
                  least = 1e-6 * c->mesh->h[0];
-    return along(q->area, r->area, dim) < -0.1 * size_q * size_r && along(way, q->area, dim) > least * size_q &&
-           along(way, r->area, dim) < -least * size_r;
+    return dot_along(q->area, r->area, dim) < -0.1 * size_q * size_r &&
+           dot_along(between, q->area, dim) > least * size_q && dot_along(between, r->area, dim) < -least * size_r;
 }
 
 /* Of points: a solid between two, wherever they are in their cells, for it may move. */
@@ -74,7 +74,7 @@ static bool find_thin_in_plane(const cut_surface *c, double x[3])
 
 /* ---- in space ---- */
 
-/* Pieces cell by cell, and the patches of those that hang together over vertices in a cell. */
+/* Pieces cell by cell, and the patches of pieces that are connected through vertices within a cell. */
 typedef struct patches {
     const cut_surface *c;
     int *first; /* of each cell: its first piece, in `piece`; one more at the end; owned */

@@ -52,7 +52,7 @@ void expression_destroy(context *ctx, expression **e);
 /* Its value at x (m, as many coordinates as the scope has axes) and t (s); NAN or infinite where it has none. Any number
  * of threads may ask at a time. */
 double expression_value(const expression *e, const double x[3], double t);
-/* Whether its value hangs on place, or on time. */
+/* Whether its value depends on position, or on time. */
 bool expression_has_place(const expression *e);
 bool expression_has_time(const expression *e);
 /* As it was written. */

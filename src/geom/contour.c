@@ -29,18 +29,18 @@ typedef struct tracer {
     size_t n, reserved;
 } tracer;
 
-static double level_at(const tracer *t, const double x[2])
+static double plane_level_at(const tracer *t, const double x[2])
 {
     return shape_level(t->shape, t->grid->dim, (const double[3]){x[0], x[1], 0.0});
 }
 
 static bool is_inside_shape(const tracer *t, const double x[2])
 {
-    return level_at(t, x) <= t->tolerance;
+    return plane_level_at(t, x) <= t->tolerance;
 }
 
 /* Place of corner i of the sub-boxes along an axis: neighbours compute the same bits. */
-static double corner_at(const tracer *t, int axis, int i)
+static double corner_coordinate(const tracer *t, int axis, int i)
 {
     const seed_spec *g = t->grid;
     const int cell = i / t->divide, part = i % t->divide;
@@ -78,14 +78,14 @@ static size_t side_number(const tracer *t, int i, int j, int k)
     return 2 * ((size_t)y * row + (size_t)x) + (size_t)(k % 2);
 }
 
-static floe_status clip_box(tracer *t, int i, int j)
+static floe_status trace_surface_in_box(tracer *t, int i, int j)
 {
     double corner[4][2];
     bool inside[4];
     crossing enters[2], leaves[2];
     int n_in = 0, n_out = 0;
     for (int k = 0; k < 4; ++k) {
-        for (int a = 0; a < 2; ++a) corner[k][a] = corner_at(t, a, (a == 0 ? i : j) + corner_of[k][a]);
+        for (int a = 0; a < 2; ++a) corner[k][a] = corner_coordinate(t, a, (a == 0 ? i : j) + corner_of[k][a]);
         inside[k] = is_inside_shape(t, corner[k]);
     }
     for (int k = 0; k < 4; ++k) {
@@ -106,13 +106,13 @@ static floe_status clip_box(tracer *t, int i, int j)
 }
 
 /* Sub-boxes of a cell, unless the surface is farther from its centre than its corners are. */
-static floe_status clip_cell(tracer *t, int i, int j)
+static floe_status trace_surface_in_cell(tracer *t, int i, int j)
 {
     const seed_spec *g = t->grid;
     const double centre[2] = {g->lower[0] + (i + 0.5) * g->h[0], g->lower[1] + (j + 0.5) * g->h[1]};
-    if (fabs(level_at(t, centre)) > hypot(g->h[0], g->h[1])) return FLOE_OK;
+    if (fabs(plane_level_at(t, centre)) > hypot(g->h[0], g->h[1])) return FLOE_OK;
     for (int y = 0; y < t->divide; ++y)
-        for (int x = 0; x < t->divide; ++x) TRY(clip_box(t, i * t->divide + x, j * t->divide + y));
+        for (int x = 0; x < t->divide; ++x) TRY(trace_surface_in_box(t, i * t->divide + x, j * t->divide + y));
     return FLOE_OK;
 }
 
@@ -171,7 +171,7 @@ static bool find_corner(const tracer *t, const double a[2], const double b[2], d
     out[0] = (p * m[1] - q * n[1]) / det;
     out[1] = (q * n[0] - p * m[0]) / det;
     const double from = hypot(out[0] - a[0], out[1] - a[1]), to = hypot(out[0] - b[0], out[1] - b[1]);
-    return fabs(level_at(t, out)) < 1e-6 * near && fmin(from, to) > 1e-3 * near && fmax(from, to) < 3.0 * near;
+    return fabs(plane_level_at(t, out)) < 1e-6 * near && fmin(from, to) > 1e-3 * near && fmax(from, to) < 3.0 * near;
 }
 
 /* Points closer than this share of a sub-box are one. */
@@ -270,7 +270,7 @@ static floe_status link_pieces(tracer *t, chain_maker *m, side_of_piece *start, 
 static floe_status trace_chains(tracer *t, contour *out)
 {
     for (int j = 0; j < t->grid->n[1]; ++j)
-        for (int i = 0; i < t->grid->n[0]; ++i) TRY(clip_cell(t, i, j));
+        for (int i = 0; i < t->grid->n[0]; ++i) TRY(trace_surface_in_cell(t, i, j));
     if (t->n == 0) return FLOE_OK;
     side_of_piece *start = NULL;
     bool *followed = NULL;
@@ -295,7 +295,7 @@ static floe_status put_point(tracer *t, chain_maker *m, double x, int into)
 /* The surface between two corners, unless it lies on a side of the mesh. */
 static floe_status cut_interval(tracer *t, chain_maker *m, int i)
 {
-    const double corner[2][2] = {{corner_at(t, 0, i), 0.0}, {corner_at(t, 0, i + 1), 0.0}};
+    const double corner[2][2] = {{corner_coordinate(t, 0, i), 0.0}, {corner_coordinate(t, 0, i + 1), 0.0}};
     const bool inside[2] = {is_inside_shape(t, corner[0]), is_inside_shape(t, corner[1])};
     double x[2];
     if (inside[0] == inside[1]) return FLOE_OK;
@@ -309,7 +309,7 @@ static floe_status trace_line(tracer *t, contour *out)
 {
     const int last = t->grid->n[0] * t->divide;
     chain_maker m = {.out = out};
-    const double lower[2] = {corner_at(t, 0, 0), 0.0}, upper[2] = {corner_at(t, 0, last), 0.0};
+    const double lower[2] = {corner_coordinate(t, 0, 0), 0.0}, upper[2] = {corner_coordinate(t, 0, last), 0.0};
     if (is_inside_shape(t, lower)) TRY(put_point(t, &m, lower[0], 0));
     for (int i = 0; i < last; ++i) TRY(cut_interval(t, &m, i));
     return is_inside_shape(t, upper) ? put_point(t, &m, upper[0], 0) : FLOE_OK;

@@ -24,7 +24,7 @@ static int curve_segments(const curve_line *c)
     return c->closed ? c->n_vertices : c->n_vertices - 1;
 }
 
-static const double *vertex_at(const curve_line *c, int i)
+static const double *curve_vertex_at(const curve_line *c, int i)
 {
     return c->vertex + 3 * (ptrdiff_t)(i % c->n_vertices);
 }
@@ -38,7 +38,8 @@ double curve_length(const curve_line *c, int dim)
     case CURVE_CIRCLE: return 2.0 * pi * c->radius;
     default: break;
     }
-    for (int i = 0; i < curve_segments(c); i++) sum += curve_distance(dim, vertex_at(c, i), vertex_at(c, i + 1));
+    for (int i = 0; i < curve_segments(c); i++)
+        sum += curve_distance(dim, curve_vertex_at(c, i), curve_vertex_at(c, i + 1));
     return sum;
 }
 
@@ -51,7 +52,7 @@ static void interpolate_vertices(const double *a, const double *b, double share,
 static void place_on_polyline(const curve_line *c, int dim, double length_along, double x[3])
 {
     for (int i = 0; i < curve_segments(c); i++) {
-        const double *a = vertex_at(c, i), *b = vertex_at(c, i + 1);
+        const double *a = curve_vertex_at(c, i), *b = curve_vertex_at(c, i + 1);
         const double piece = curve_distance(dim, a, b);
         const bool last = i == curve_segments(c) - 1;
         if (length_along > piece && !last) {
@@ -86,15 +87,16 @@ static double share_of_vertex(const curve_line *c, int dim, int i)
     const int n = c->n_vertices;
     double sum = 0.0;
     if (n < 2) return 0.0;
-    if (i > 0 || c->closed) sum += 0.5 * curve_distance(dim, vertex_at(c, (i + n - 1) % n), vertex_at(c, i));
-    if (i < n - 1 || c->closed) sum += 0.5 * curve_distance(dim, vertex_at(c, i), vertex_at(c, i + 1));
+    if (i > 0 || c->closed)
+        sum += 0.5 * curve_distance(dim, curve_vertex_at(c, (i + n - 1) % n), curve_vertex_at(c, i));
+    if (i < n - 1 || c->closed) sum += 0.5 * curve_distance(dim, curve_vertex_at(c, i), curve_vertex_at(c, i + 1));
     return sum;
 }
 
 static void point_of(const curve_line *c, const curve_seeding *how, int dim, int i, double x[3], double *length)
 {
     if (c->kind == CURVE_POINTS) {
-        for (int k = 0; k < 3; k++) x[k] = vertex_at(c, i)[k];
+        for (int k = 0; k < 3; k++) x[k] = curve_vertex_at(c, i)[k];
         *length = isnan(how->length) ? share_of_vertex(c, dim, i) : how->length / c->n_vertices;
         return;
     }

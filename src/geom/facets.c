@@ -26,12 +26,12 @@ static const double on_surface = 1e-9;
 /* Directions in which planes of an edge differ less than this are one plane. */
 static const double one_plane = 0.05;
 
-static double level_at(const lattice *l, const double x[3])
+static double lattice_level_at(const lattice *l, const double x[3])
 {
     return shape_level(l->shape, 3, x);
 }
 
-static double corner_at(const lattice *l, int axis, int i)
+static double lattice_corner(const lattice *l, int axis, int i)
 {
     return l->grid->lower[axis] + (i - MARGIN + askew[axis]) * l->size[axis];
 }
@@ -53,7 +53,7 @@ static double shortest(const double v[3])
 
 static bool is_inside(const lattice *l, const double x[3])
 {
-    return level_at(l, x) <= on_surface * shortest(l->size);
+    return lattice_level_at(l, x) <= on_surface * shortest(l->size);
 }
 
 /* Unit normal, out of the shape. */
@@ -77,8 +77,8 @@ static void add_crossing(const lattice *l, const int from[3], int axis, touching
     const bool first = l->inside[corner_number(l, from)];
     if (first == (bool)l->inside[corner_number(l, to)]) return;
     for (int k = 0; k < 3; ++k) {
-        a[k] = corner_at(l, k, from[k]);
-        b[k] = corner_at(l, k, to[k]);
+        a[k] = lattice_corner(l, k, from[k]);
+        b[k] = lattice_corner(l, k, to[k]);
     }
     shape_crossing(l->shape, 3, on_surface * shortest(l->size), first ? a : b, first ? b : a, 50, t->x[t->n]);
     normal_at(l, t->x[t->n], t->normal[t->n]);
@@ -98,7 +98,7 @@ static touching touch_box(const lattice *l, const int box[3])
     return t;
 }
 
-static bool are_one_side(const touching *t)
+static bool normals_agree(const touching *t)
 {
     for (int i = 0; i < t->n; ++i)
         for (int k = 0; k < i; ++k)
@@ -136,7 +136,7 @@ static int meet_planes(const lattice *l, const touching *t, double x[3])
         for (int a = 0; a < 3; ++a) x[a] += along * vector[3 * a + k];
     }
     for (int a = 0; a < 3; ++a) far = fmax(far, fabs(x[a] - middle[a]) / l->size[a]);
-    const bool curved = are_one_side(t) && fabs(level_at(l, x)) > off_surface * shortest(l->size);
+    const bool curved = normals_agree(t) && fabs(lattice_level_at(l, x)) > off_surface * shortest(l->size);
     if (planes == 1 || (far <= 1.5 && !curved)) return planes;
     memcpy(x, middle, sizeof middle); /* planes that hardly meet, or touch a curved side */
     return 1;
@@ -204,7 +204,7 @@ static floe_status put_vertex(lattice *l, const int box[3])
     if (meet_planes(l, &t, x) == 1)
         for (int pass = 0; pass < 3; ++pass) {
             normal_at(l, x, normal);
-            const double level = level_at(l, x);
+            const double level = lattice_level_at(l, x);
             for (int a = 0; a < 3; ++a) x[a] -= level * normal[a];
         }
     return facets_add_vertex(l, x, normal, number);
@@ -243,7 +243,7 @@ static floe_status visit_lattice(lattice *l, int first, int less, lattice_visito
 
 static floe_status mark_corner(lattice *l, const int at[3])
 {
-    const double x[3] = {corner_at(l, 0, at[0]), corner_at(l, 1, at[1]), corner_at(l, 2, at[2])};
+    const double x[3] = {lattice_corner(l, 0, at[0]), lattice_corner(l, 1, at[1]), lattice_corner(l, 2, at[2])};
     l->inside[corner_number(l, at)] = is_inside(l, x);
     return FLOE_OK;
 }
@@ -268,7 +268,8 @@ static double mean_level(const lattice *l, const facet *f)
     double sum = 0.0;
     for (int k = 0; k < 3; ++k) {
         const double *p = l->out->x[f->vertex[k]], *q = l->out->x[f->vertex[(k + 1) % 3]];
-        sum += level_at(l, (const double[]){0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])}) / 3.0;
+        sum +=
+            lattice_level_at(l, (const double[]){0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])}) / 3.0;
     }
     return sum;
 }

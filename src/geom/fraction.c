@@ -116,7 +116,7 @@ FLOE_ALWAYS_INLINE void add_prism(cutter *c, int dim, const vertex *i, const ver
     add_simplex(c, dim, 1.0, (const vertex[4]){a[0], b[0], b[1], b[2]});
 }
 
-FLOE_ALWAYS_INLINE void cut_simplex(cutter *c, int dim, const vertex *v)
+FLOE_ALWAYS_INLINE void add_cut_simplex(cutter *c, int dim, const vertex *v)
 {
     int in[4], out[4], n_in = 0, n_out = 0;
     for (int a = 0; a <= dim; a++) {
@@ -224,7 +224,7 @@ FLOE_ALWAYS_INLINE void cut_box_in(cutter *c, int dim, const double lo[3], const
     for (int o = 0; o < division.n; o++) {
         vertex simplex[4];
         for (int k = 0; k <= dim; k++) simplex[k] = v[division.corner[o][k]];
-        cut_simplex(c, dim, simplex);
+        add_cut_simplex(c, dim, simplex);
     }
 }
 
@@ -279,7 +279,7 @@ static bool is_whole_or_empty(const shape *s, int dim, const double lo[3], const
 }
 
 /* What the shape's bounds leave of the box. */
-static void clip_box(cutter *c, const double lo[3], const double hi[3])
+static void add_box_in_bounds(cutter *c, const double lo[3], const double hi[3])
 {
     double from[3], to[3], part_lo[3] = {0.0}, part_hi[3] = {0.0};
     c->s->model->bounds(c->s->par, c->dim, from, to);
@@ -306,7 +306,7 @@ bool shape_exact_moments(const shape *s, int dim, const double lo[3], const doub
     cutter c = {.s = s, .dim = dim, .weight_by_radius = weight_by_radius};
     bool inside;
     if (shape_fills_bounds(s, dim)) {
-        clip_box(&c, lo, hi);
+        add_box_in_bounds(&c, lo, hi);
     } else if (!s->model->moments) {
         return false;
     } else if (is_whole_or_empty(s, dim, lo, hi, &inside)) {

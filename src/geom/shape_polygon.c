@@ -151,7 +151,7 @@ static bool lies_between(const double *a, const double *b, const double *x)
 }
 
 /* Whether the sides from a to b and from c to d have a point in common, and which. */
-static bool sides_meet(const double *a, const double *b, const double *c, const double *d, double at[2])
+static bool polygon_sides_meet(const double *a, const double *b, const double *c, const double *d, double at[2])
 {
     const double to_c = double_area(a, b, c), to_d = double_area(a, b, d), to_a = double_area(c, d, a),
                  to_b = double_area(c, d, b);
@@ -216,7 +216,7 @@ static floe_status polygon_prepare(void *par, int dim, const shape_memory *memor
         for (size_t k = i + 2; k < n; k++) {
             double at[2];
             const double *a = v[i], *b = v[i + 1], *c = v[k], *d = v[(k + 1) % n];
-            if ((k + 1) % n == i || are_apart(a, b, c, d) || !sides_meet(a, b, c, d, at)) continue;
+            if ((k + 1) % n == i || are_apart(a, b, c, d) || !polygon_sides_meet(a, b, c, d, at)) continue;
             refuse_meeting(p, i, k, at, why);
             return FLOE_OK;
         }

@@ -192,7 +192,8 @@ double sheet_area(const sheet_surface *s, const seed_spec *grid)
     return sector_of(s, grid).width * area_after(s, grid, 2.0 * profile_length(s, grid));
 }
 
-static double points_asked(const sheet_surface *s, const sheet_seeding *how, const seed_spec *grid)
+/* The number of points that the deck gives, or that its number per cell makes on the area of the surface. */
+static double requested_points(const sheet_surface *s, const sheet_seeding *how, const seed_spec *grid)
 {
     const double per_length = how->per_cell / layer_cell(grid);
     return how->number > 0 ? how->number : sheet_area(s, grid) * per_length * per_length;
@@ -228,7 +229,7 @@ static banding banding_of(const sheet_surface *s, const sheet_seeding *how, cons
 {
     banding b = {.s = s, .grid = grid, .sector = sector_of(s, grid), .length = profile_length(s, grid)};
     b.area = area_after(s, grid, 2.0 * b.length);
-    b.asked = points_asked(s, how, grid);
+    b.asked = requested_points(s, how, grid);
     const double spacing = sqrt(b.sector.width * b.area / b.asked);
     b.bands = (int)fmin(fmax(1.0, round(b.length / spacing)), LAYER_POINTS_MOST + 1.0);
     b.least = b.sector.width > 1.5 * pi ? 3 : 1;
@@ -309,7 +310,7 @@ static floe_status fill_bands(seed_list *list, context *ctx, const banding *b, d
 static void plane_counts(const sheet_surface *s, const sheet_seeding *how, const seed_spec *grid, double count[2])
 {
     const double first = vec_norm(s->first), second = vec_norm(s->second);
-    const double along = sqrt(points_asked(s, how, grid) * first / second);
+    const double along = sqrt(requested_points(s, how, grid) * first / second);
     count[0] = fmax(1.0, round(along));
     count[1] = fmax(1.0, round(along * second / first));
 }

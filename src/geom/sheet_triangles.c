@@ -34,7 +34,7 @@ void sheet_vertex_at(const sheet_vertex *v, const double *x, const double lower[
     }
 }
 
-static void vertex_at(const joining *j, int vertex, double out[3])
+static void corner_position(const joining *j, int vertex, double out[3])
 {
     sheet_vertex_at(&j->out->vertex[vertex], j->x, j->lower, j->upper, out);
 }
@@ -42,8 +42,8 @@ static void vertex_at(const joining *j, int vertex, double out[3])
 static double distance2(const joining *j, int a, int b)
 {
     double p[3], q[3];
-    vertex_at(j, a, p);
-    vertex_at(j, b, q);
+    corner_position(j, a, p);
+    corner_position(j, b, q);
     return vec_distance2(p, q);
 }
 
@@ -141,7 +141,7 @@ static floe_status finish_end(joining *j, int which, const vertex_row *r)
     return which ? join_rows(j, r, &foot) : join_rows(j, &foot, r);
 }
 
-static floe_status join_all(joining *j)
+static floe_status join_all_cells(joining *j)
 {
     vertex_row first, row, next;
     TRY(add_row(j, 0, 0, &first));
@@ -206,7 +206,7 @@ static double along_outward(const joining *j)
     return sum;
 }
 
-static void turn_over(facet *f)
+static void turn_sheet_over(facet *f)
 {
     const int last = f->vertex[2];
     const unsigned rim = f->rim;
@@ -220,7 +220,7 @@ static void turn_outward(joining *j)
     const double *o = j->rows->outward;
     const bool plane = o[0] != 0.0 || o[1] != 0.0 || o[2] != 0.0;
     if ((plane ? along_outward(j) : sheet_triangles_volume(j->out, j->x, j->lower, j->upper)) >= 0.0) return;
-    for (int k = 0; k < j->out->n_facets; ++k) turn_over(&j->out->facet[k]);
+    for (int k = 0; k < j->out->n_facets; ++k) turn_sheet_over(&j->out->facet[k]);
 }
 
 static floe_status check_ends(const joining *j)
@@ -243,7 +243,7 @@ floe_status sheet_triangles_make(sheet_triangles *out, context *ctx, const sheet
         j.upper[a] = grid->lower[a] + grid->n[a] * grid->h[a];
     }
     floe_status status = check_ends(&j);
-    if (status == FLOE_OK) status = join_all(&j);
+    if (status == FLOE_OK) status = join_all_cells(&j);
     if (status != FLOE_OK) {
         sheet_triangles_free(ctx, out);
         return status;

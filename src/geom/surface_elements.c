@@ -14,7 +14,7 @@ typedef struct cutter {
     double step; /* m, of differences */
 } cutter;
 
-static double level_at(const cutter *c, const double x[3])
+static double element_level_at(const cutter *c, const double x[3])
 {
     return shape_level(c->shape, c->grid->dim, x);
 }
@@ -27,7 +27,7 @@ static void level_gradient(const cutter *c, const double x[3], double g[3])
         double up[3] = {x[0], x[1], x[2]}, down[3] = {x[0], x[1], x[2]};
         up[a] += c->step;
         down[a] -= c->step;
-        g[a] = (level_at(c, up) - level_at(c, down)) / (2.0 * c->step);
+        g[a] = (element_level_at(c, up) - element_level_at(c, down)) / (2.0 * c->step);
     }
 }
 
@@ -41,7 +41,7 @@ static void emit_element(const cutter *c, const double centre[3], double area)
         level_gradient(c, e.x, g);
         const double square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
         if (!(square > 0.0)) return;
-        const double move = level_at(c, e.x) / square;
+        const double move = element_level_at(c, e.x) / square;
         for (int a = 0; a < 3; ++a) e.x[a] -= move * g[a];
     }
     level_gradient(c, e.x, g);
@@ -85,13 +85,13 @@ static void emit_cut(const cutter *c, double cut[4][3], int n)
 
 /* Cuts a simplex of dim + 1 corners. Corners inside come first, so that edges inside-outside are met in a fixed
  * order. */
-static void cut_simplex(const cutter *c, const double corner[4][3])
+static void emit_simplex_cut(const cutter *c, const double corner[4][3])
 {
     const int corners = c->grid->dim + 1;
     double l[4], cut[4][3];
     int inside[4], outside[4], n_in = 0, n_out = 0, n = 0;
     for (int k = 0; k < corners; ++k) {
-        l[k] = level_at(c, corner[k]);
+        l[k] = element_level_at(c, corner[k]);
         if (l[k] < 0.0)
             inside[n_in++] = k;
         else
@@ -123,11 +123,11 @@ static void cut_along(const cutter *c, const double lo[3], const double hi[3], c
         at[axis[last]] = end ? hi[axis[last]] : lo[axis[last]];
         memcpy(corner[last + end], at, sizeof at);
     }
-    cut_simplex(c, (const double(*)[3])corner);
+    emit_simplex_cut(c, (const double(*)[3])corner);
 }
 
 /* lo and hi: opposite corners. */
-static void clip_box(const cutter *c, const double lo[3], const double hi[3])
+static void cut_elements_of_box(const cutter *c, const double lo[3], const double hi[3])
 {
     const int dim = c->grid->dim, all = (1 << (dim - 1)) - 1;
     const bool middles = c->cut == SURFACE_MIDDLES;
@@ -145,7 +145,7 @@ static double sub_box_face(const seed_spec *g, int axis, int cell, int at, int d
 }
 
 /* Sub-boxes of a cell, unless the surface is farther from its centre than its corners are. */
-static void clip_cell(const cutter *c, const int cell[3], int divide)
+static void cut_elements_of_cell(const cutter *c, const int cell[3], int divide)
 {
     const seed_spec *g = c->grid;
     double centre[3] = {0}, reach = 0.0;
@@ -153,7 +153,7 @@ static void clip_cell(const cutter *c, const int cell[3], int divide)
         centre[a] = g->lower[a] + (cell[a] + 0.5) * g->h[a];
         reach += g->h[a] * g->h[a];
     }
-    if (fabs(level_at(c, centre)) > sqrt(reach)) return;
+    if (fabs(element_level_at(c, centre)) > sqrt(reach)) return;
     const int ny = g->dim > 1 ? divide : 1, nz = g->dim > 2 ? divide : 1;
     for (int k = 0; k < nz; ++k)
         for (int j = 0; j < ny; ++j)
@@ -164,7 +164,7 @@ static void clip_cell(const cutter *c, const int cell[3], int divide)
                     lo[a] = sub_box_face(g, a, cell[a], at[a], divide);
                     hi[a] = sub_box_face(g, a, cell[a], at[a] + 1, divide);
                 }
-                clip_box(c, lo, hi);
+                cut_elements_of_box(c, lo, hi);
             }
 }
 
@@ -174,5 +174,5 @@ void surface_visit(const shape *s, const seed_spec *grid, int divide, surface_cu
     cutter c = {s, grid, cut, visit, user, 1e-6 * grid->h[0]};
     for (int k = 0; k < grid->n[2]; ++k)
         for (int j = 0; j < grid->n[1]; ++j)
-            for (int i = 0; i < grid->n[0]; ++i) clip_cell(&c, (const int[]){i, j, k}, divide);
+            for (int i = 0; i < grid->n[0]; ++i) cut_elements_of_cell(&c, (const int[]){i, j, k}, divide);
 }

@@ -47,7 +47,7 @@ static void refuse_side(const triangle_surface *t, const triangle_side *s, const
                    a[2], b[0], b[1], b[2]);
 }
 
-static bool are_one_side(const triangle_side *a, const triangle_side *b)
+static bool is_same_side(const triangle_side *a, const triangle_side *b)
 {
     return a->low == b->low && a->high == b->high;
 }
@@ -55,7 +55,7 @@ static bool are_one_side(const triangle_side *a, const triangle_side *b)
 static void check_pairs(const triangle_surface *t, const triangle_side *side, char why[SHAPE_WHY])
 {
     for (int i = 0, n; i < 3 * t->n && !why[0]; i += n) {
-        for (n = 1; i + n < 3 * t->n && are_one_side(&side[i], &side[i + n]);) n++;
+        for (n = 1; i + n < 3 * t->n && is_same_side(&side[i], &side[i + n]);) n++;
         if (n == 1)
             refuse_side(t, &side[i], "it is open", why);
         else if (n > 2)
@@ -136,7 +136,7 @@ static double turns_about(const triangle_surface *t, const int *piece, int of, d
     return turns;
 }
 
-static void turn_over(triangle_surface *t)
+static void turn_surface_over(triangle_surface *t)
 {
     for (int i = 0; i < t->n; i++) {
         int *corner = t->triangle[i].corner, swap = corner[1];
@@ -150,7 +150,7 @@ static void check_pieces(triangle_surface *t, const int *piece, char why[SHAPE_W
 {
     double whole = 0.0, volume, turns;
     for (int i = 0; i < t->n; i++) whole += volume_from(t, &t->triangle[i], t->x[0]) / 6.0;
-    if (whole < 0.0) turn_over(t);
+    if (whole < 0.0) turn_surface_over(t);
     for (int i = 0; i < t->n && !why[0]; i++) {
         if (piece[i] != i) continue;
         turns = turns_about(t, piece, i, &volume);
@@ -268,7 +268,7 @@ static bool has_corner(const triangle *of, int vertex)
 }
 
 /* Sides of one that do not end at the other. */
-static bool sides_meet(crossing_search *s, const triangle *a, const triangle *b)
+static bool triangle_sides_meet(crossing_search *s, const triangle *a, const triangle *b)
 {
     for (int k = 0; k < 3; k++) {
         const int from = a->corner[k], to = a->corner[(k + 1) % 3];
@@ -318,7 +318,7 @@ static int find_meeting(crossing_search *s, int first, int at)
         if (k <= first) continue;
         const triangle_box theirs = box_of(s->t, other);
         if (!boxes_meet(&own, &theirs, s->near)) continue;
-        if (fold_back(s, of, other) || sides_meet(s, of, other) || sides_meet(s, other, of)) return k;
+        if (fold_back(s, of, other) || triangle_sides_meet(s, of, other) || triangle_sides_meet(s, other, of)) return k;
     }
     if (b->n > 0) return -1;
     const int found = find_meeting(s, first, at + 1);

@@ -160,6 +160,12 @@ double mesh_face_area(const mesh *m, int axis, int i)
     return area * (axis == 0 ? mesh_node(m, 0, i) : mesh_centre(m, 0, i));
 }
 
+const char *mesh_axis_name(mesh_geometry geometry, int axis)
+{
+    static const char *const name[2][MESH_MAX_DIM] = {{"x", "y", "z"}, {"r", "z", NULL}};
+    return axis < MESH_MAX_DIM ? name[geometry == MESH_AXISYMMETRIC][axis] : NULL;
+}
+
 int mesh_cell_of(const mesh *m, int axis, double x)
 {
     const double scaled = (x - m->lower[axis]) / m->h[axis];

@@ -78,6 +78,9 @@ typedef struct mesh {
  * owned. */
 floe_status mesh_init(mesh *out, context *ctx, const mesh_spec *spec);
 
+/* "x", "y", "z", or "r" and "z" about an axis, as decks name the axes; NULL: there is no such axis. */
+const char *mesh_axis_name(mesh_geometry geometry, int axis);
+
 /* Linear index of local (i, j, k); unused axes have stride 0. */
 static inline ptrdiff_t mesh_index(const block *b, int i, int j, int k)
 {

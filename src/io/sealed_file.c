@@ -31,7 +31,7 @@ static void put_number(unsigned char *at, uint64_t value, int bytes)
     for (int i = 0; i < bytes; i++) at[i] = (unsigned char)(value >> (8 * i));
 }
 
-static uint64_t get_number(const unsigned char *at, int bytes)
+static uint64_t get_header_number(const unsigned char *at, int bytes)
 {
     uint64_t value = 0;
     for (int i = 0; i < bytes; i++) value |= (uint64_t)at[i] << (8 * i);
@@ -72,7 +72,7 @@ static floe_status check_seal(context *ctx, const char *path, const unsigned cha
     if (size < SEALED_HEADER) {
         return fail(ctx, FLOE_IO, "'%s' is cut short: it ends within its header, at %zu bytes", path, size);
     }
-    const uint64_t length = get_number(data + LENGTH_AT, 8);
+    const uint64_t length = get_header_number(data + LENGTH_AT, 8);
     if (length != size - SEALED_HEADER) {
         return fail(ctx, FLOE_IO, "'%s' is %s: its header says that %" PRIu64 " bytes follow, but %zu do", path,
                     length > size - SEALED_HEADER ? "cut short" : "too long", length, size - SEALED_HEADER);
@@ -88,8 +88,8 @@ static floe_status check_seal(context *ctx, const char *path, const unsigned cha
 static floe_status check_kind(context *ctx, const char *path, const unsigned char *data, sealed_kind kind,
                               uint32_t format, bool same_version)
 {
-    const uint64_t has_kind = get_number(data + KIND_AT, 4);
-    const uint64_t has_format = get_number(data + FORMAT_AT, 4);
+    const uint64_t has_kind = get_header_number(data + KIND_AT, 4);
+    const uint64_t has_format = get_header_number(data + FORMAT_AT, 4);
     char version[VERSION_SIZE + 1] = "";
     memcpy(version, data + VERSION_AT, VERSION_SIZE);
     if (has_kind != (uint64_t)kind) {

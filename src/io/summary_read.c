@@ -32,7 +32,7 @@ static double as_number(reader *r, const char *key, const json_t *value)
     return json_number_value(value);
 }
 
-static double get_number(reader *r, const json_t *object, const char *key)
+static double get_summary_number(reader *r, const json_t *object, const char *key)
 {
     return as_number(r, key, json_object_get(object, key));
 }
@@ -40,7 +40,7 @@ static double get_number(reader *r, const json_t *object, const char *key)
 /* NAN where the summary is of an earlier version that did not have it. */
 static double get_later_number(reader *r, const json_t *object, const char *key)
 {
-    return json_object_get(object, key) ? get_number(r, object, key) : (double)NAN;
+    return json_object_get(object, key) ? get_summary_number(r, object, key) : (double)NAN;
 }
 
 static long long get_count(reader *r, const json_t *object, const char *key)
@@ -99,16 +99,16 @@ static void get_memory(reader *r, const json_t *object, run_summary *out)
 static void get_conservation(reader *r, const json_t *object, run_summary *out)
 {
     const json_t *drift = get_object(r, object, "conservation");
-    out->drift_mass = get_number(r, drift, "mass");
-    out->drift_momentum = get_number(r, drift, "momentum");
+    out->drift_mass = get_summary_number(r, drift, "mass");
+    out->drift_momentum = get_summary_number(r, drift, "momentum");
     out->drift_moment = get_later_number(r, drift, "angular_momentum");
-    out->drift_energy = get_number(r, drift, "energy");
+    out->drift_energy = get_summary_number(r, drift, "energy");
     /* Summaries of earlier versions have those at the end alone. */
     const json_t *end = json_object_get(drift, "at_end") ? get_object(r, drift, "at_end") : drift;
-    out->end_drift_mass = get_number(r, end, "mass");
-    out->end_drift_momentum = get_number(r, end, "momentum");
+    out->end_drift_mass = get_summary_number(r, end, "mass");
+    out->end_drift_momentum = get_summary_number(r, end, "momentum");
     out->end_drift_moment = get_later_number(r, end, "angular_momentum");
-    out->end_drift_energy = get_number(r, end, "energy");
+    out->end_drift_energy = get_summary_number(r, end, "energy");
 }
 
 static void get_warnings(reader *r, const json_t *object, run_summary *out)
@@ -152,22 +152,23 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     get_text(r, object, "status", out->status, sizeof out->status);
     /* Summaries of earlier versions have no message. */
     if (json_object_get(object, "message")) get_text(r, object, "message", out->message, sizeof out->message);
-    out->time = get_number(r, object, "time");
+    out->time = get_summary_number(r, object, "time");
     out->steps = get_count(r, object, "steps");
     out->rejected_steps = get_count(r, object, "rejected_steps");
-    out->wall_seconds = get_number(r, object, "wall_seconds");
-    if (json_object_get(object, "output_seconds")) out->output_seconds = get_number(r, object, "output_seconds");
-    if (json_object_get(object, "cpu_seconds")) out->cpu_seconds = get_number(r, object, "cpu_seconds");
+    out->wall_seconds = get_summary_number(r, object, "wall_seconds");
+    if (json_object_get(object, "output_seconds"))
+        out->output_seconds = get_summary_number(r, object, "output_seconds");
+    if (json_object_get(object, "cpu_seconds")) out->cpu_seconds = get_summary_number(r, object, "cpu_seconds");
     get_values(r, object, "seconds_by_stage", out->seconds_by_stage, SUMMARY_MAX_STAGES, &out->n_stages);
     out->cells = get_count(r, object, "cells");
     out->points = get_count(r, object, "points");
-    out->cell_updates = get_number(r, object, "cell_updates");
-    out->point_updates = get_number(r, object, "point_updates");
+    out->cell_updates = get_summary_number(r, object, "cell_updates");
+    out->point_updates = get_summary_number(r, object, "point_updates");
     get_memory(r, object, out);
     get_conservation(r, object, out);
     get_warnings(r, object, out);
     if (json_object_get(object, "reference_accuracy"))
-        out->reference_accuracy = get_number(r, object, "reference_accuracy");
+        out->reference_accuracy = get_summary_number(r, object, "reference_accuracy");
     get_values(r, object, "errors", out->errors, SUMMARY_MAX_ERRORS, &out->n_errors);
     get_counters(r, object, out);
     get_build(r, object, out);

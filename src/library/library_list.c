@@ -210,7 +210,7 @@ static void list_boundaries(FILE *file)
         (void)fprintf(file, "  %-10s %s\n", bc_name((bc_kind)k), doc[k]);
 }
 
-static void print_fields(FILE *file)
+static void print_known_fields(FILE *file)
 {
     for (int id = 0; id < FIELD_COUNT; id++) {
         const field_info *f = field_describe((field_id)id);
@@ -237,7 +237,7 @@ static const struct {
     {"references", "what histories are compared with", list_references},
     {"metrics", "errors that can be measured", print_metrics},
     {"boundaries", "conditions on the sides of the domain", list_boundaries},
-    {"fields", "fields that a scene may hold", print_fields},
+    {"fields", "fields that a scene may hold", print_known_fields},
 };
 enum { LISTS = sizeof lists / sizeof lists[0] };
 

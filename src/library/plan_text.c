@@ -117,7 +117,7 @@ static void print_stages(const stage_list *stages, FILE *file)
     }
 }
 
-static void print_fields(const plan *p, FILE *file)
+static void print_planned_fields(const plan *p, FILE *file)
 {
     (void)fprintf(file, "\n%-22s %-28s %-7s %-10s %-8s %5s %12s\n", "field", "name", "on", "class", "unit", "count",
                   "bytes");
@@ -168,7 +168,7 @@ floe_status plan_print_text(const plan *p, FILE *file)
     const char *unit = scene_time_unit(p->scene);
     print_head(p, file);
     print_stages(&p->sim->stages, file);
-    print_fields(p, file);
+    print_planned_fields(p, file);
     (void)fprintf(
         file, "\nbytes: points %.0f, cells %.0f, coupling %.0f, scratch %.0f, together %.3g MB\n",
         p->ratio * (double)i->mpm_bytes, p->ratio * (double)i->ice_bytes, p->ratio * (double)i->coupling_bytes,

@@ -68,7 +68,7 @@ static void wait_a_little(void)
     (void)nanosleep(&(struct timespec){0, 50 * 1000 * 1000}, NULL);
 }
 
-/* Under the folder's name, or beside what has taken it: by now, or between two tries. */
+/* Opens the outputs again in a new folder of the same name, or NAME-continued if something else has that name, which may happen between two tries. */
 static floe_status reopen_outputs(run_output *o, const sim *s)
 {
     char wanted[OUTPUT_PATH], place[OUTPUT_PATH];
@@ -112,13 +112,6 @@ floe_status output_follow(run_output *o, const sim *s, follow_state *state)
     return make_anew(o, s);
 }
 
-static bool is_there(const run_output *o, const char *name)
-{
-    char path[OUTPUT_PATH];
-    output_path(o, name, path);
-    return file_exists(path);
-}
-
 floe_status output_follow_failure(run_output *o, const sim *s, const char *cause, follow_state *state)
 {
     TRY(output_follow(o, s, state));
@@ -127,7 +120,7 @@ floe_status output_follow_failure(run_output *o, const sim *s, const char *cause
         wait_a_little();
         TRY(output_follow(o, s, state));
     }
-    if (*state != FOLLOW_HERE || (is_there(o, "deck.yaml") && is_there(o, "fields.xdmf"))) return FLOE_OK;
+    if (*state != FOLLOW_HERE || (output_exists(o, "deck.yaml") && output_exists(o, "fields.xdmf"))) return FLOE_OK;
     *state = FOLLOW_ANEW;
     return make_anew(o, s);
 }

@@ -16,7 +16,7 @@ static const char *level_name(log_level level)
 }
 
 /* A log that cannot be written does not end the run: what it says is said elsewhere too. */
-static void write_line(void *user, log_level level, const char *line)
+static void write_log_line(void *user, log_level level, const char *line)
 {
     run_log *log = user;
     char text[CONTEXT_MESSAGE_SIZE + 64];
@@ -45,7 +45,7 @@ floe_status run_log_open(run_log *log, context *ctx, const run_options *options,
     *log = (run_log){.ctx = ctx, .options = options, .progress = p, .started = wall_seconds()};
     TRY(open_in(log, options->dir, options->resume));
     log->open = true;
-    context_set_sink(ctx, write_line, log, LOG_DETAIL);
+    context_set_sink(ctx, write_log_line, log, LOG_DETAIL);
     return FLOE_OK;
 }
 

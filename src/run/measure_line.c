@@ -83,13 +83,13 @@ static size_t count_line_samples(const subject *what)
     return n;
 }
 
-static int compare_rows(const void *a, const void *b)
+static int compare_along_line(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
-static floe_status write_line(const sim *s, const line *l, const char *path)
+static floe_status write_sampled_line(const sim *s, const line *l, const char *path)
 {
     context *ctx = s->ctx;
     strbuf out;
@@ -118,8 +118,8 @@ floe_status profile_of_line(sim *s, const exact *solution, const char *path)
     if (l.n_quantities == 0) return FLOE_OK;
     TRY(memory_new(s->ctx, &l.row, count_line_samples(&what) * l.width, sizeof *l.row));
     floe_status status = collect_line(&what, &l);
-    qsort(l.row, l.n, l.width * sizeof *l.row, compare_rows);
-    if (status == FLOE_OK) status = write_line(s, &l, path);
+    qsort(l.row, l.n, l.width * sizeof *l.row, compare_along_line);
+    if (status == FLOE_OK) status = write_sampled_line(s, &l, path);
     memory_free(s->ctx, &l.row);
     return status;
 }

@@ -13,7 +13,7 @@ typedef struct profile_row {
     double x[3], r, value[2], exact[2];
 } profile_row;
 
-static int compare_rows(const void *a, const void *b)
+static int compare_by_place(const void *a, const void *b)
 {
     const double x = ((const profile_row *)a)->r, y = ((const profile_row *)b)->r;
     return (x > y) - (x < y);
@@ -54,7 +54,7 @@ static floe_status write_rows(const sim *s, const char *path, profile_row *row, 
     strbuf_append(&out,
                   "x (%s),y (%s),r (%s),sigma_r (%s),sigma_theta (%s),exact_sigma_r (%s),exact_sigma_theta (%s)\n", m,
                   m, m, pa, pa, pa, pa);
-    qsort(row, n, sizeof *row, compare_rows);
+    qsort(row, n, sizeof *row, compare_by_place);
     for (size_t i = 0; i < n; i++) {
         strbuf_append(&out, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", row[i].x[0], row[i].x[1], row[i].r, row[i].value[0],
                       row[i].value[1], row[i].exact[0], row[i].exact[1]);

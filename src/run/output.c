@@ -121,7 +121,7 @@ floe_status output_begin(run_output *o, sim *s, const char *dir)
     return open_series(o, s, -INFINITY);
 }
 
-static bool is_there(const run_output *o, const char *name)
+bool output_exists(const run_output *o, const char *name)
 {
     char path[OUTPUT_PATH];
     output_path(o, name, path);
@@ -154,8 +154,8 @@ static floe_status read_previous(run_output *o, sim *s)
 /* The newest that is whole. */
 static floe_status read_newest(run_output *o, sim *s)
 {
-    const bool both = is_there(o, OUTPUT_PREVIOUS);
-    if (!is_there(o, OUTPUT_CHECKPOINT)) {
+    const bool both = output_exists(o, OUTPUT_PREVIOUS);
+    if (!output_exists(o, OUTPUT_CHECKPOINT)) {
         (void)snprintf(o->note, sizeof o->note, "there is no " OUTPUT_CHECKPOINT);
         return read_previous(o, s);
     }
@@ -218,7 +218,7 @@ floe_status output_reopen(run_output *o, const sim *s, const char *place)
     let_folder_go(o);
     TRY(hold_folder(o));
     TRY(write_deck(o));
-    o->newest_is_whole = o->newest_is_whole && is_there(o, OUTPUT_CHECKPOINT);
+    o->newest_is_whole = o->newest_is_whole && output_exists(o, OUTPUT_CHECKPOINT);
     return reopen_series(o, s);
 }
 
@@ -315,5 +315,5 @@ floe_status output_checkpoint(run_output *o, const sim *s, double wall)
 
 bool output_has_checkpoint(const run_output *o)
 {
-    return is_there(o, OUTPUT_CHECKPOINT) || is_there(o, OUTPUT_PREVIOUS);
+    return output_exists(o, OUTPUT_CHECKPOINT) || output_exists(o, OUTPUT_PREVIOUS);
 }

@@ -66,6 +66,8 @@ floe_status output_sync(run_output *o);
 floe_status output_checkpoint(run_output *o, const sim *s, double wall);
 bool output_has_checkpoint(const run_output *o);
 
+/* Whether DIR/NAME exists. */
+bool output_exists(const run_output *o, const char *name);
 /* DIR/NAME into path[OUTPUT_PATH]. */
 void output_path(const run_output *o, const char *name, char path[OUTPUT_PATH]);
 

@@ -22,7 +22,7 @@ void progress_show_ledger(progress *p, const ledger *l)
     }
 }
 
-static void write_line(const progress *p, const sim *s, double now, char *line, size_t size)
+static void write_progress_line(const progress *p, const sim *s, double now, char *line, size_t size)
 {
     const double end = s->scene->time.end;
     const double share = fmin(1.0, fmax(0.0, s->time / end));
@@ -40,7 +40,7 @@ void progress_show(progress *p, const sim *s)
 {
     char line[LIVE_LINE_SIZE];
     if (!live_line_is_due(&p->line)) return;
-    write_line(p, s, wall_seconds(), line, sizeof line);
+    write_progress_line(p, s, wall_seconds(), line, sizeof line);
     live_line_show(&p->line, line);
 }
 

@@ -132,7 +132,7 @@ static double density_at(const cell_samples *c, size_t i)
     return c->volume ? 1.0 / c->volume[i] : c->rho[i];
 }
 
-static double temperature_at(const cell_samples *c, size_t i)
+static double cell_temperature_at(const cell_samples *c, size_t i)
 {
     if (c->material == CELLS_OF_ALL) return (double)NAN; /* each material has its own */
     const eos *law = &c->s->ice->material[c->material].eos;
@@ -144,7 +144,7 @@ static double temperature_at(const cell_samples *c, size_t i)
 
 /* The field holds the pressure in equilibrium at the start of the last step; one fluid alone tells its own at the
  * end. */
-static double pressure_at(const cell_samples *c, size_t i)
+static double cell_pressure_at(const cell_samples *c, size_t i)
 {
     if (c->volume || c->fraction || !c->energy) return c->pressure ? c->pressure[i] : (double)NAN;
     const eos *law = &c->s->ice->material[c->material].eos;
@@ -161,9 +161,9 @@ double cell_value(const cell_samples *c, exact_quantity quantity, size_t i)
     }
     switch (quantity) {
     case EXACT_DENSITY: return density_at(c, i);
-    case EXACT_PRESSURE: return pressure_at(c, i);
+    case EXACT_PRESSURE: return cell_pressure_at(c, i);
     case EXACT_INTERNAL_ENERGY: return c->energy ? c->energy[i] : (double)NAN;
-    case EXACT_TEMPERATURE: return temperature_at(c, i);
+    case EXACT_TEMPERATURE: return cell_temperature_at(c, i);
     case EXACT_VOLUME_FRACTION: return cell_fraction(c, i);
     default: return NAN;
     }

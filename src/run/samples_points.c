@@ -183,13 +183,13 @@ static double polar_value(const point_samples *p, exact_quantity quantity, size_
 }
 
 /* Absolute as fluids have it; solutions of solids are relative to the reference pressure. */
-static double pressure_at(const point_samples *p, size_t i)
+static double point_pressure_at(const point_samples *p, size_t i)
 {
     const double gauge = -(stress_at(p, 0, i) + stress_at(p, 1, i) + stress_at(p, 2, i)) / 3.0;
     return exact_is_solid(p->solution) ? gauge : gauge + p->s->scene->reference_pressure;
 }
 
-static double temperature_at(const point_samples *p, size_t i)
+static double point_temperature_at(const point_samples *p, size_t i)
 {
     const mpm_body *b = &p->s->mpm->body[p->body];
     double T = NAN;
@@ -227,9 +227,9 @@ double point_value(const point_samples *p, exact_quantity quantity, size_t i)
     if (quantity >= EXACT_NORMAL_X && quantity <= EXACT_NORMAL) return normal_value(p, quantity, i);
     switch (quantity) {
     case EXACT_DENSITY: return p->density[i];
-    case EXACT_PRESSURE: return pressure_at(p, i);
+    case EXACT_PRESSURE: return point_pressure_at(p, i);
     case EXACT_INTERNAL_ENERGY: return p->energy ? p->energy[i] : (double)NAN;
-    case EXACT_TEMPERATURE: return temperature_at(p, i);
+    case EXACT_TEMPERATURE: return point_temperature_at(p, i);
     case EXACT_SIGMA_R:
     case EXACT_SIGMA_THETA: return polar_value(p, quantity, i);
     default: return NAN;

@@ -20,7 +20,7 @@ static bool has_kind(const scene *s, material_kind kind)
     return kind == MATERIAL_FLUID && s->has_ambient;
 }
 
-/* What is measured is of the phase that the exact solution is of. */
+/* The body or material that is measured must be of the phase of the exact solution. */
 static floe_status check_kind(const run_setup *u, material_kind wanted)
 {
     static const char *const name[] = {[MATERIAL_SOLID] = "a solid", [MATERIAL_FLUID] = "a fluid"};

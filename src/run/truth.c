@@ -7,7 +7,8 @@
 #include <string.h>
 
 enum { TEXT = 320 };
-static const double bar[] = {0.01, 0.1};
+static const double bar[] = {0.01,
+                             0.1}; /* of a drift: from the first on it is reported, from the second on warned of */
 enum { BARS = sizeof bar / sizeof bar[0] };
 
 static double drift_of(const sim *s, int q)
@@ -15,6 +16,7 @@ static double drift_of(const sim *s, int q)
     return ledger_largest_drift(&s->ledger, (ledger_quantity)q);
 }
 
+/* How many of the bars the largest drift of a quantity exceeds. */
 static int bars_passed(const sim *s, int q)
 {
     const double drift = fabs(drift_of(s, q));

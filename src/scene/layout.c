@@ -169,14 +169,12 @@ static bool reaches_side(const layout_work *w, const shape *rest, int axis, int 
 
 static floe_status check_ambient_sides(const layout_work *w, const shape *rest)
 {
-    static const char *const name[2][MESH_MAX_DIM] = {{"x", "y", "z"}, {"r", "z", ""}};
     const scene *s = w->s;
     for (int a = 0; a < w->m->dim; ++a)
         for (int i = 0; i < 2; ++i) {
             const bc_kind kind = s->bc.side[a][i].kind;
             if ((kind != BC_OUTLET && kind != BC_FREE) || !reaches_side(w, rest, a, i)) continue;
-            return fail_key(s->ctx,
-                            KEY("boundaries", name[w->m->geometry == MESH_AXISYMMETRIC][a], i ? "upper" : "lower"),
+            return fail_key(s->ctx, KEY("boundaries", mesh_axis_name(w->m->geometry, a), i ? "upper" : "lower"),
                             "mpm: the ambient is of points, which leave through '%s' and do not come back: take 'slip' "
                             "or 'symmetry', 'ambient: {points: 0}' where its inertia does not matter, or ice-mpm",
                             bc_name(kind));

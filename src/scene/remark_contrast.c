@@ -65,12 +65,6 @@ static bool temperatures_inside(const scene *s, double *low, double *high)
     return *high > 0.0;
 }
 
-static const char *name_of_axis(const scene *s, int axis)
-{
-    static const char *const names[2][3] = {{"x", "y", "z"}, {"r", "z", "z"}};
-    return names[s->mesh.geometry == MESH_AXISYMMETRIC][axis];
-}
-
 static void remark_reservoirs(remark_speaker *w)
 {
     static const double apart = 50.0;
@@ -81,7 +75,7 @@ static void remark_reservoirs(remark_speaker *w)
         for (int side = 0; side < 2; ++side) {
             const double T = s->bc.side[axis][side].temperature;
             if (!(T > apart * high) && !(T * apart < low)) continue;
-            remark_set_key(w, "boundaries", name_of_axis(s, axis), side ? "upper" : "lower");
+            remark_set_key(w, "boundaries", mesh_axis_name(s->mesh.geometry, axis), side ? "upper" : "lower");
             remark_key(w,
                        "its temperature, %g K, is %.2g times that of the fluid inside (%g K): give both in K, or leave "
                        "it out where an outlet has that of what leaves",

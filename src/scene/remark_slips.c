@@ -138,7 +138,7 @@ static bool bounds_of(const scene *s, const scene_body *b, double lo[3], double 
     return b->shape.model && b->shape.model->bounds(b->shape.par, s->mesh.dim, lo, hi);
 }
 
-/* Of the mesh along an axis, what a body has; the largest of all axes. */
+/* Extent of a body over that of the mesh, along the axis where it is largest. */
 static double largest_share(const scene *s, const scene_body *b)
 {
     double lo[3] = {0.0}, hi[3] = {0.0}, share = 0.0;

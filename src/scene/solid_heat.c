@@ -31,6 +31,13 @@ bool scene_solid_has_temperature(const scene *s, int material, bool smeared)
            (smeared && scene_solid_exchanges_heat(s, material));
 }
 
+bool scene_some_solid_conducts(const scene *s)
+{
+    for (int m = 0; m < s->n_materials; ++m)
+        if (s->material[m].kind == MATERIAL_SOLID && s->material[m].conductivity > 0.0) return true;
+    return false;
+}
+
 double scene_plastic_heat(const scene_material *m)
 {
     return isnan(m->plastic_heat) ? USUAL_PLASTIC_HEAT : m->plastic_heat;

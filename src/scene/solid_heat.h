@@ -12,6 +12,7 @@ bool scene_material_burns(const scene *s, int material);
  * or that responds to its temperature, which is `conductivity`, `expansion`, a given `plastic_heat`, or, in cells that
  * it shares with fluids (`smeared`), heat exchange. A solid that burns has none. */
 bool scene_solid_has_temperature(const scene *s, int material, bool smeared);
+bool scene_some_solid_conducts(const scene *s);
 /* The share of plastic work that becomes heat (Taylor and Quinney 1934): the deck's, or 0.9. */
 double scene_plastic_heat(const scene_material *m);
 

@@ -57,16 +57,9 @@ static bool side_has_heat(const scene *s, const bc_side *side)
     return wall && (side->temperature > 0.0 || side->heat_flux != 0.0);
 }
 
-static bool some_solid_conducts(const scene *s)
-{
-    for (int m = 0; m < s->n_materials; ++m)
-        if (s->material[m].kind == MATERIAL_SOLID && s->material[m].conductivity > 0.0) return true;
-    return false;
-}
-
 static bool side_heats_nothing(const scene *s, const bc_side *side)
 {
-    return side_has_heat(s, side) && !some_solid_conducts(s);
+    return side_has_heat(s, side) && !scene_some_solid_conducts(s);
 }
 
 /* Beside fluids on points a slip side is a mirror to all points, beyond which temperatures are those of the image. */
@@ -121,12 +114,6 @@ static const struct {
      "no fluid is viscous, so that the wall's velocity has no effect: give a fluid a 'viscosity', or take 'slip'"},
 };
 
-static const char *side_axis_name(const scene *s, int axis)
-{
-    static const char *const name[2][MESH_MAX_DIM] = {{"x", "y", "z"}, {"r", "z", ""}};
-    return name[s->mesh.geometry == MESH_AXISYMMETRIC][axis];
-}
-
 /* A solid of points stands at a side where it would see one velocity, and the fluid another at each place. */
 static bool solid_at_changing_side(const scene *s, const scene_condition *at)
 {
@@ -147,14 +134,16 @@ static floe_status refuse_sides(const scene *s, scene_coupling coupling)
                         "ice-mpm");
     for (int i = 0; scene_next_condition(s, &i, &at);)
         if (coupling == COUPLING_ICE_MPM && solid_at_changing_side(s, &at))
-            return fail_key(s->ctx,
-                            KEY("boundaries", side_axis_name(s, at.axis), at.end == SIDE_LOWER ? "lower" : "upper"),
-                            "ice-mpm: a solid reaches this side, and its points see one velocity on all of it, while "
-                            "this one changes with place: take one that changes with time alone, or move the solid");
+            return fail_key(
+                s->ctx,
+                KEY("boundaries", mesh_axis_name(s->mesh.geometry, at.axis), at.end == SIDE_LOWER ? "lower" : "upper"),
+                "ice-mpm: a solid reaches this side, and its points see one velocity on all of it, while "
+                "this one changes with place: take one that changes with time alone, or move the solid");
     for (int i = 0; scene_next_condition(s, &i, &at);)
         for (size_t k = 0; k < sizeof side_rules / sizeof side_rules[0]; ++k) {
             if (!is_concerned(coupling, side_rules[k].couplings) || !side_rules[k].applies(s, at.side)) continue;
-            const char *end = at.end == SIDE_LOWER ? "lower" : "upper", *axis = side_axis_name(s, at.axis);
+            const char *end = at.end == SIDE_LOWER ? "lower" : "upper",
+                       *axis = mesh_axis_name(s->mesh.geometry, at.axis);
             return fail_key(s->ctx, at.part ? KEY("boundary_parts", at.part) : KEY("boundaries", axis, end), "%s: %s",
                             coupling_name(coupling), side_rules[k].why);
         }

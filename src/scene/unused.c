@@ -197,19 +197,13 @@ static void remark_idle_materials(const unused_list *list)
 
 /* ---- sides ---- */
 
-static const char *name_of_axis(const scene *s, int axis)
-{
-    static const char *const name[2][MESH_MAX_DIM] = {{"x", "y", "z"}, {"r", "z", ""}};
-    return name[s->mesh.geometry == MESH_AXISYMMETRIC][axis];
-}
-
 static const char *const name_of_end[] = {"lower", "upper"};
 
 /* What would flow back through an outlet; points do not. The deck says it of a side, of an axis, or of all. */
 static void add_outlet_keys(const unused_list *list, int axis, int end)
 {
     static const char *const key[] = {"temperature", "material"};
-    const char *name = name_of_axis(list->s, axis);
+    const char *name = mesh_axis_name(list->s->mesh.geometry, axis);
     for (int k = 0; k < 2; ++k) {
         char side[PATH_SIZE], both[PATH_SIZE], all[PATH_SIZE];
         (void)snprintf(side, sizeof side, "boundaries.%s.%s.outlet.%s", name, name_of_end[end], key[k]);
@@ -230,7 +224,8 @@ static void remark_inviscid_walls(const unused_list *list)
         for (int i = 0; i < 2; ++i)
             if (s->bc.side[a][i].kind == BC_NO_SLIP) {
                 char path[PATH_SIZE];
-                (void)snprintf(path, sizeof path, "boundaries.%s.%s", name_of_axis(s, a), name_of_end[i]);
+                (void)snprintf(path, sizeof path, "boundaries.%s.%s", mesh_axis_name(s->mesh.geometry, a),
+                               name_of_end[i]);
                 say_at(list, path,
                        "no fluid is viscous: 'no_slip' sides let the fluid slip. Give it a 'viscosity', or "
                        "take 'slip'");

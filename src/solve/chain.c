@@ -34,7 +34,7 @@ void chain_clear(chain_matrix *m)
     memset(m->next, 0, m->n * sizeof *m->next);
 }
 
-static bool invert_block(const double a[4], double out[4])
+static bool invert_chain_block(const double a[4], double out[4])
 {
     const double det = a[0] * a[3] - a[1] * a[2];
     if (!(det > 0.0) || !(a[0] > 0.0)) return false;
@@ -73,7 +73,7 @@ static bool eliminate_points(chain_matrix *m, size_t first)
                 pivot[c] += y[0];
                 pivot[2 + c] += y[1];
             }
-        if (!invert_block(pivot, m->inverse[i])) return false;
+        if (!invert_chain_block(pivot, m->inverse[i])) return false;
     }
     return true;
 }
@@ -115,7 +115,7 @@ static bool close_ring(chain_matrix *m)
         own[c] += y[0];
         own[2 + c] += y[1];
     }
-    return invert_block(own, m->inverse[0]);
+    return invert_chain_block(own, m->inverse[0]);
 }
 
 static void solve_plain(const chain_matrix *m, double *x)
@@ -134,7 +134,7 @@ static void solve_plain(const chain_matrix *m, double *x)
     memcpy(x, first, sizeof first);
 }
 
-static double dot_product(size_t n, const double *x, const double *y)
+static double dot_of_chain(size_t n, const double *x, const double *y)
 {
     double sum = 0.0;
     for (size_t k = 0; k < n; ++k) sum += x[k] * y[k];
@@ -152,7 +152,7 @@ floe_status chain_solve(chain_matrix *m, double k, const double *g, const double
     if (k == 0.0) return FLOE_OK;
     memcpy(z, g, n * sizeof *z);
     solve_plain(m, z);
-    const double share = k * dot_product(n, g, x) / (1.0 + k * dot_product(n, g, z));
+    const double share = k * dot_of_chain(n, g, x) / (1.0 + k * dot_of_chain(n, g, z));
     for (size_t i = 0; i < n; ++i) x[i] -= share * z[i];
     return FLOE_OK;
 }

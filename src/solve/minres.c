@@ -9,15 +9,15 @@ struct minres {
     context *ctx;
     int most_iterations;
     size_t n, reserved;
-    double *v, *y, *older, *old; /* Lanczos vectors, before and after the preconditioner; owned */
-    double *way, *way_1, *way_2; /* directions of this iteration and of the two before; owned */
+    double *v, *y, *older, *old;                   /* Lanczos vectors, before and after the preconditioner; owned */
+    double *direction, *direction_1, *direction_2; /* of search, of this iteration and of the two before; owned */
 };
 
 enum { ARRAYS = 7 };
 
 static void arrays_of(minres *m, double **array[ARRAYS])
 {
-    double **all[ARRAYS] = {&m->v, &m->y, &m->older, &m->old, &m->way, &m->way_1, &m->way_2};
+    double **all[ARRAYS] = {&m->v, &m->y, &m->older, &m->old, &m->direction, &m->direction_1, &m->direction_2};
     memcpy(array, all, sizeof all);
 }
 
@@ -48,7 +48,7 @@ floe_status minres_resize(minres *m, size_t n)
     return FLOE_OK;
 }
 
-static double dot_product(size_t n, const double *restrict x, const double *restrict y)
+static double dot_of_lanes(size_t n, const double *restrict x, const double *restrict y)
 {
     double lane[LANES] = {0.0}, sum = 0.0;
     size_t k = 0;
@@ -77,12 +77,12 @@ static double extend_basis(minres *m, const minres_system *s, double beta, doubl
     for (size_t k = 0; k < m->n; ++k) m->v[k] = m->y[k] / beta;
     s->matrix(s->user, m->v, m->y);
     if (beta_before > 0.0) add_scaled(m->n, -beta / beta_before, m->older, m->y);
-    *alfa = dot_product(m->n, m->v, m->y);
+    *alfa = dot_of_lanes(m->n, m->v, m->y);
     add_scaled(m->n, -*alfa / beta, m->old, m->y);
     swap_arrays(&m->older, &m->old);
     swap_arrays(&m->old, &m->y);
     s->preconditioner(s->user, m->old, m->y);
-    return dot_product(m->n, m->old, m->y);
+    return dot_of_lanes(m->n, m->old, m->y);
 }
 
 /* The rotation that the factors of the tridiagonal matrix have come to. */
@@ -100,10 +100,11 @@ static double take_step(minres *m, rotation *r, double alfa, double beta, double
     if (!(length > 0.0)) return residual;
     r->cosine = own / length;
     r->sine = beta / length;
-    swap_arrays(&m->way_1, &m->way_2);
-    swap_arrays(&m->way_1, &m->way);
-    for (size_t k = 0; k < m->n; ++k) m->way[k] = (m->v[k] - far * m->way_2[k] - above * m->way_1[k]) / length;
-    add_scaled(m->n, r->cosine * residual, m->way, x);
+    swap_arrays(&m->direction_1, &m->direction_2);
+    swap_arrays(&m->direction_1, &m->direction);
+    for (size_t k = 0; k < m->n; ++k)
+        m->direction[k] = (m->v[k] - far * m->direction_2[k] - above * m->direction_1[k]) / length;
+    add_scaled(m->n, r->cosine * residual, m->direction, x);
     return r->sine * residual;
 }
 
@@ -112,13 +113,13 @@ minres_result minres_solve(minres *m, const minres_system *s, double tolerance, 
     minres_result out = {0};
     const size_t bytes = m->n * sizeof(double);
     memset(x, 0, bytes);
-    memset(m->way, 0, bytes);
-    memset(m->way_1, 0, bytes);
-    memset(m->way_2, 0, bytes);
+    memset(m->direction, 0, bytes);
+    memset(m->direction_1, 0, bytes);
+    memset(m->direction_2, 0, bytes);
     memset(m->older, 0, bytes);
     memcpy(m->old, b, bytes);
     s->preconditioner(s->user, m->old, m->y);
-    double square = dot_product(m->n, m->old, m->y), before = 0.0;
+    double square = dot_of_lanes(m->n, m->old, m->y), before = 0.0;
     double beta = sqrt(fmax(0.0, square)), left = beta;
     const double all = beta;
     rotation r = {.cosine = -1.0};

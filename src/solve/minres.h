@@ -1,6 +1,6 @@
-/* Paige and Saunders' minimal residuals (SIAM J. Numer. Anal. 12 (1975) 617) for symmetric systems that need not be definite, with a
- * preconditioner that is: steps of solids that are all but incompressible, whose unknowns are displacements and pressures. Sums go over the
- * entries in order: the same bits for any number of threads. */
+/* Paige and Saunders' minimal residuals (SIAM J. Numer. Anal. 12 (1975) 617) for symmetric indefinite systems, with a positive definite
+ * preconditioner: steps of nearly incompressible solids, whose unknowns are displacements and pressures. Sums go over the entries in order:
+ * the same bits for any number of threads. */
 #ifndef SOLVE_MINRES_H
 #define SOLVE_MINRES_H
 

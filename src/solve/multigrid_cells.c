@@ -19,7 +19,7 @@ static void choose_polynomial(cell_level *l, int dim)
 /* Axes of about the strength of the strongest are coarsened together, without a stop to smooth between them. */
 static const double alike = 0.7;
 
-/* What the choice of axes goes by. */
+/* The criterion for the choice of axes. */
 typedef struct coarsening {
     int dim, n[MESH_MAX_DIM];
     bool periodic[MESH_MAX_DIM];

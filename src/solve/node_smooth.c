@@ -76,7 +76,7 @@ static int centre_slot(const node_matrix *m)
 }
 
 /* Inverse of a diagonal block; components that are constrained, and have nothing, stay 0. */
-static void invert_block(const node_matrix *m, int row, double *out)
+static void invert_node_block(const node_matrix *m, int row, double *out)
 {
     const int n = m->components, centre = centre_slot(m);
     double a[NODE_MATRIX_COMPONENTS * NODE_MATRIX_COMPONENTS];
@@ -305,7 +305,7 @@ floe_status node_smoother_prepare(node_smoother *s)
     memory_free(s->ctx, &s->covered);
     TRY(memory_new(s->ctx, &s->block, (size_t)m->rows * n, sizeof *s->block));
     TRY(memory_new(s->ctx, &s->covered, (size_t)m->rows, sizeof *s->covered));
-    for (int row = 0; row < m->rows; ++row) invert_block(m, row, s->block + (size_t)row * n);
+    for (int row = 0; row < m->rows; ++row) invert_node_block(m, row, s->block + (size_t)row * n);
     if (s->patched) TRY(find_patches(s));
     share_unknowns(s);
     s->largest = s->margin * largest_eigenvalue(s);

@@ -31,7 +31,7 @@ typedef struct studying {
     study_timed timed; /* owned */
 } studying;
 
-static floe_status want_next(void *of, case_round *round)
+static floe_status want_next_of_study(void *of, case_round *round)
 {
     studying *r = of;
     study *s = r->s;
@@ -63,7 +63,7 @@ static floe_status take_cases(void *of, const case_round *round)
     return FLOE_OK;
 }
 
-static floe_status write_results(void *of)
+static floe_status write_study_results(void *of)
 {
     return study_write(((const studying *)of)->s);
 }
@@ -75,7 +75,7 @@ static floe_status check_results(void *of)
 
 static floe_status run_study(study *s)
 {
-    static const case_judge judge = {want_next, take_cases, write_results, check_results};
+    static const case_judge judge = {want_next_of_study, take_cases, write_study_results, check_results};
     studying r = {.s = s};
     TRY(study_make_plan(s));
     const floe_status status = judge_cases(s->ctx, &judge, &r);

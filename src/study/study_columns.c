@@ -28,7 +28,7 @@ static size_t cheapest_case(const study *s, scene_coupling coupling)
 }
 
 /* The names of that case are added, a line. A case that cannot even start is a result of the study, and has none. */
-static floe_status add_case(const study *s, size_t i, strbuf *names, bool *all)
+static floe_status add_case_columns(const study *s, size_t i, strbuf *names, bool *all)
 {
     const batch_options batch = study_batch_options(s);
     scene *of;
@@ -60,7 +60,7 @@ floe_status study_check_columns(const study *s, strbuf *errors)
     strbuf_init(&names, s->ctx);
     for (int c = 0; c < COUPLING_COUNT && status == FLOE_OK; c++) {
         const size_t i = cheapest_case(s, (scene_coupling)c);
-        if (i < s->n) status = add_case(s, i, &names, &all);
+        if (i < s->n) status = add_case_columns(s, i, &names, &all);
     }
     if (status == FLOE_OK) status = names.status;
     for (int q = 0; q < s->plan.n_quantities && all && status == FLOE_OK; q++) {

@@ -12,7 +12,7 @@ enum { PANELS = STUDY_COSTS };
 
 /* The next case of a group in the order of `over`, so that a curve goes from the coarsest case to the finest; NULL: no
  * more. */
-static const study_case *next_case(const study *s, size_t group, const study_case *last)
+static const study_case *next_case_drawn(const study *s, size_t group, const study_case *last)
 {
     const study_case *next = NULL;
     for (size_t i = 0; i < s->n; i++) {
@@ -23,7 +23,7 @@ static const study_case *next_case(const study *s, size_t group, const study_cas
     return next;
 }
 
-static floe_status make_curves(curves *c, const study *s, size_t panels)
+static floe_status make_study_curves(curves *c, const study *s, size_t panels)
 {
     return curves_make(c, s->ctx, panels, panels * (s->n_groups + 1), 2 * panels * s->n, panels);
 }
@@ -55,7 +55,7 @@ static void add_error_panel(const study *s, curves *c, const char *metric, study
                                      .log_y = true});
     for (size_t g = 0; g < s->n_groups; g++) {
         begin_group(s, c, g);
-        for (const study_case *one = next_case(s, g, NULL); one; one = next_case(s, g, one)) {
+        for (const study_case *one = next_case_drawn(s, g, NULL); one; one = next_case_drawn(s, g, one)) {
             const double error = study_error(one, metric);
             if (error > 0.0) curves_point(c, study_cost_of(one, cost), scale * error);
         }
@@ -81,7 +81,7 @@ static floe_status write_errors(const study *s, plot_names *names)
 {
     static const study_cost order[PANELS] = {STUDY_H, STUDY_UPDATES, STUDY_SECONDS};
     curves c;
-    floe_status status = make_curves(&c, s, (size_t)s->n_metrics * PANELS);
+    floe_status status = make_study_curves(&c, s, (size_t)s->n_metrics * PANELS);
     for (int m = 0; m < s->n_metrics && status == FLOE_OK; m++) {
         for (int k = 0; k < PANELS && has_data(s, s->metric[m]); k++) add_error_panel(s, &c, s->metric[m], order[k]);
     }
@@ -96,7 +96,7 @@ static void add_quantity_panel(const study *s, curves *c, int q)
     curves_panel(c, (plot_panel){.x_label = study_over_label(s), .y_label = curves_label(c, s->plan.quantity[q], "")});
     for (size_t g = 0; g < s->n_groups; g++) {
         begin_group(s, c, g);
-        for (const study_case *one = next_case(s, g, NULL); one; one = next_case(s, g, one)) {
+        for (const study_case *one = next_case_drawn(s, g, NULL); one; one = next_case_drawn(s, g, one)) {
             if (isfinite(one->quantity[q])) curves_point(c, one->over, one->quantity[q]);
         }
     }
@@ -105,7 +105,7 @@ static void add_quantity_panel(const study *s, curves *c, int q)
 static floe_status write_quantities(const study *s, plot_names *names)
 {
     curves c;
-    floe_status status = make_curves(&c, s, (size_t)s->plan.n_quantities);
+    floe_status status = make_study_curves(&c, s, (size_t)s->plan.n_quantities);
     for (int q = 0; q < s->plan.n_quantities && status == FLOE_OK; q++) add_quantity_panel(s, &c, q);
     const plot_figure figure = {.name = "quantities", .title = s->title};
     if (status == FLOE_OK) status = curves_write(&c, s->options->batch.dir, figure, names);

@@ -40,7 +40,7 @@ typedef struct curve {
 } curve;
 
 /* The group's cheapest case beyond `seconds` that has an error. */
-static bool next_case(const study *s, size_t group, const char *metric, double seconds, size_t *found)
+static bool next_case_on_front(const study *s, size_t group, const char *metric, double seconds, size_t *found)
 {
     bool any = false;
     for (size_t i = 0; i < s->n; i++) {
@@ -58,7 +58,7 @@ static curve curve_of(const study *s, size_t group, const char *metric)
     curve c = {.n = 0};
     double seconds = 0.0;
     size_t i = 0;
-    while (c.n < SCENE_MAX_AXIS && next_case(s, group, metric, seconds, &i)) {
+    while (c.n < SCENE_MAX_AXIS && next_case_on_front(s, group, metric, seconds, &i)) {
         c.seconds[c.n] = seconds = s->list[i].timing.least;
         c.error[c.n++] = study_error(&s->list[i], metric);
         c.scatter = fmax(c.scatter, s->list[i].timing.scatter);

@@ -135,7 +135,7 @@ static json_t *axis_json(const scene_axis *axis)
     return object;
 }
 
-static json_t *axes_json(const study *s)
+static json_t *study_axes_json(const study *s)
 {
     json_t *list = json_array();
     for (int k = 0; k < s->axes.n; k++) json_array_append_new(list, axis_json(&s->axes.axis[k]));
@@ -196,7 +196,7 @@ floe_status study_write_json(const study *s)
     return json_write(s->ctx, path,
                       json_pack("{s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema", 1, "deck",
                                 json_plain_text(s->options->batch.deck), "title", json_plain_text(s->title), "axis",
-                                over, "axes", axes_json(s), "runs", runs_json(s), "orders", orders_json(s), "limits",
-                                limits_json(s), "pareto", front_json(s, STUDY_UPDATES), "bars", bars_json(s),
+                                over, "axes", study_axes_json(s), "runs", runs_json(s), "orders", orders_json(s),
+                                "limits", limits_json(s), "pareto", front_json(s, STUDY_UPDATES), "bars", bars_json(s),
                                 "verdicts", verdicts_json(s), "timing", timing));
 }

@@ -152,7 +152,7 @@ static void choose_over(study *s, strbuf *errors)
 }
 
 /* Has the deck's own study such a value, which the command line has left out? */
-static bool is_left_out(const study *s, const char *key, const char *value)
+static bool is_axis_left_out(const study *s, const char *key, const char *value)
 {
     for (int k = 0; k < s->plan.n_axes; k++) {
         const scene_axis *axis = &s->plan.axis[k];
@@ -172,7 +172,7 @@ static void check_where(const study *s, const scene_where *where, const char *wh
         bool known = false;
         for (int i = 0; at >= 0 && i < s->axes.axis[at].n_values; i++)
             known = known || axis_same_value(s->axes.axis[at].value[i], where->value[k]);
-        if (known || is_left_out(s, where->key[k], where->value[k])) continue;
+        if (known || is_axis_left_out(s, where->key[k], where->value[k])) continue;
         strbuf_append(errors, "%s '%.80s': '%s: %s' is no %s of this study, which has: ", what, name, where->key[k],
                       where->value[k], at < 0 ? "axis" : "value of that axis");
         if (at < 0) name_all_axes(s, errors);

@@ -136,7 +136,7 @@ static void add_note(char notes[NOTES], const char *note)
 }
 
 /* What is to be said of a case that has run. */
-static void describe_case(const study *s, const study_case *one, char notes[NOTES])
+static void describe_study_case(const study *s, const study_case *one, char notes[NOTES])
 {
     notes[0] = '\0';
     if (one->timing.disturbed) add_note(notes, "disturbed");
@@ -146,7 +146,7 @@ static void describe_case(const study *s, const study_case *one, char notes[NOTE
     if (one->verdict == STUDY_WRONG) text_add(notes, NOTES, " (%s)", one->why);
 }
 
-static void add_case(const study *s, const study_case *one, table *t)
+static void add_case_row(const study *s, const study_case *one, table *t)
 {
     const scene_axis *over = s->over < 0 ? NULL : &s->axes.axis[s->over];
     char text[NOTES];
@@ -162,14 +162,14 @@ static void add_case(const study *s, const study_case *one, table *t)
     table_values(t, (table_column){.in = TABLE_JSON, .object = "axis"}, over, over ? 1 : 0,
                  &one->pick[over ? s->over : 0]);
     if (study_has_verdicts(s)) add_verdict(s, one, t);
-    describe_case(s, one, text);
+    describe_study_case(s, one, text);
     table_text(t, "", (table_column){.in = TABLE_SHOWN, .left = true}, text);
 }
 
 void study_case_table(const study *s, table *t)
 {
     table_init(t, s->ctx);
-    for (size_t i = 0; i < s->n; i++) add_case(s, &s->list[i], t);
+    for (size_t i = 0; i < s->n; i++) add_case_row(s, &s->list[i], t);
 }
 
 floe_status study_write_csv(const study *s)
@@ -185,7 +185,7 @@ floe_status study_write_csv(const study *s)
 
 enum { WARNINGS_SHOWN = 6 };
 
-static floe_status print_cases(const study *s, FILE *file)
+static floe_status print_study_cases(const study *s, FILE *file)
 {
     table t;
     study_case_table(s, &t);
@@ -323,7 +323,7 @@ static void print_warnings(const study *s, FILE *file)
 floe_status study_print(const study *s, FILE *file)
 {
     if (s->title[0]) (void)fprintf(file, "%s\n", s->title);
-    TRY(print_cases(s, file));
+    TRY(print_study_cases(s, file));
     print_timing(s, file);
     print_orders(s, file);
     for (size_t g = 0; g < s->n_groups; g++) {

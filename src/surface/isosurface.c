@@ -78,6 +78,7 @@ void isosurface_add(isosurface *f, const double x[3])
     if (f->kept < ISOSURFACE_KEPT) memcpy(f->place[f->kept++], x, sizeof f->place[0]);
 }
 
+/* Least squares of all rows and one more: the function is 0 at a point away from the surface, on which it is 1. */
 static bool solve_with(const isosurface *f, const double away[3], least_squares_solution *found)
 {
     least_squares all = f->rows;

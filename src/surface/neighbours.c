@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Entries found so far, in the order of their distance: no more than what tells them apart, for most give way to nearer
+/* Entries found so far, in the order of their distance: no more than what tells them apart, for most are replaced by nearer
  * ones. */
 typedef struct nearest_list {
     double square[SURFACE_MOST_NEAR];

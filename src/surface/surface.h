@@ -80,7 +80,8 @@ typedef struct surface_method {
     int min_dim;    /* 2; 1 where a line of one axis has normals, too */
     bool connected; /* follows the numbers of the points */
     bool exact;     /* straight lines and planes have their normals to round-off */
-    bool checked;   /* a direction over 45 degrees off the line or plane through the nearest points gives way to it */
+    bool
+        checked; /* a direction over 45 degrees off the line or plane through the nearest points is replaced by its normal */
     bool needs_inside; /* takes points of what the surface holds, where there are any */
     size_t param_size;
     const param_spec *params;

@@ -162,7 +162,7 @@ floe_status exact_create(context *ctx, const exact_model *model, const void *par
 void exact_destroy(context *ctx, exact *solution);
 
 bool exact_provides(const exact *solution, exact_quantity quantity);
-/* Whether it is one of a solid: given at places before the load, stress gauge to the reference pressure. */
+/* Whether it is a solution for a solid: a function of the undeformed position, with stress relative to the reference pressure. */
 bool exact_is_solid(const exact *solution);
 /* Of fluids, and of nothing else: a state that is the same everywhere may be a solid's too. */
 bool exact_is_fluid(const exact *solution);

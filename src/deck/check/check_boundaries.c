@@ -3,16 +3,10 @@
 
 #include "deck/deck_internal.h"
 #include "scene/side_parts.h"
+#include "scene/solid_heat.h"
 
 #include <math.h>
 #include <stddef.h>
-
-static bool some_solid_conducts(const scene *s)
-{
-    for (int i = 0; i < s->n_materials; i++)
-        if (s->material[i].kind == MATERIAL_SOLID && s->material[i].conductivity > 0.0) return true;
-    return false;
-}
 
 /* Some fluid of the scene has a coefficient above zero. */
 static bool some_fluid(const scene *s, size_t coefficient)
@@ -34,7 +28,7 @@ static floe_status check_wall(reader *r, const bc_side *side, const char *const 
                       side->heat_flux);
     }
     if ((temperature || flux) && !some_fluid(r->scene, offsetof(scene_material, conductivity)) &&
-        !some_solid_conducts(r->scene)) {
+        !scene_some_solid_conducts(r->scene)) {
         return bad_at(r, path, NULL, "give a fluid a 'conductivity', or a solid, or leave the wall's heat out",
                       "no fluid or solid conducts heat: the wall's %s would have no effect",
                       temperature ? "temperature" : "heat flux");

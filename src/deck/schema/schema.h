@@ -193,6 +193,8 @@ static inline int writer_dim(const writer *w)
 /* Reading. A fault of the deck is entered in the errors and FLOE_OK returned; other failures are returned. */
 floe_status read_table(reader *r, const key_table *table, deck_node *map, void *base);
 floe_status read_key(reader *r, const key_spec *key, deck_node *node, void *base);
+/* Whether its values are in units; "1" is none. */
+bool key_has_unit(const key_spec *key);
 floe_status read_scalar(reader *r, const key_spec *key, deck_node *node, void *base);
 floe_status read_model(reader *r, const key_spec *key, deck_node *node, void *base);
 floe_status read_models(reader *r, const key_spec *key, deck_node *node, void *base);

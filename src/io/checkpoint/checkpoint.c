@@ -16,7 +16,7 @@ typedef struct state_writer {
     double *data;                      /* one number for each point or cell; owned */
 } state_writer;
 
-static floe_status write_array(void *user, const state_array *array)
+static floe_status write_checkpoint_array(void *user, const state_array *array)
 {
     state_writer *w = user;
     if (field_describe(array->id)->centring == FIELD_POINT) {
@@ -44,7 +44,7 @@ static floe_status write_state(const sim *s, hdf_file *hdf)
 {
     state_writer w = {.s = s, .hdf = hdf};
     floe_status status = prepare_writer(&w);
-    if (status == FLOE_OK) status = checkpoint_visit_state(s, write_array, &w);
+    if (status == FLOE_OK) status = checkpoint_visit_state(s, write_checkpoint_array, &w);
     memory_free(s->ctx, &w.data);
     for (int b = 0; b < SCENE_MAX_BODIES; b++) point_list_free(s->ctx, &w.list[b]);
     return status;
@@ -92,7 +92,8 @@ static floe_status write_checkpoint_image(const sim *s, hdf_file *hdf, const che
     return write_state(s, hdf);
 }
 
-static floe_status make_image(const sim *s, const char *path, const checkpoint_run *run, char **image, size_t *size)
+static floe_status make_checkpoint_image(const sim *s, const char *path, const checkpoint_run *run, char **image,
+                                         size_t *size)
 {
     hdf_file hdf;
     TRY(hdf_create(&hdf, s->ctx, path));
@@ -106,7 +107,7 @@ floe_status checkpoint_write(const sim *s, const char *path, const checkpoint_ru
 {
     char *image = NULL;
     size_t size = 0;
-    TRY(make_image(s, path, run, &image, &size));
+    TRY(make_checkpoint_image(s, path, run, &image, &size));
     const floe_status status = sealed_write(s->ctx, path, run->kept, SEALED_CHECKPOINT, CHECKPOINT_FORMAT, image, size);
     memory_free(s->ctx, &image);
     return status;
@@ -127,7 +128,7 @@ static size_t body_points(const sim *s, int body)
     return n;
 }
 
-static floe_status add_array(void *user, const state_array *array)
+static floe_status add_checkpoint_array(void *user, const state_array *array)
 {
     size_sum *sum = user;
     const bool points = field_describe(array->id)->centring == FIELD_POINT;
@@ -139,7 +140,7 @@ static floe_status add_array(void *user, const state_array *array)
 size_t checkpoint_most_bytes(const sim *s, const checkpoint_run *run)
 {
     size_sum sum = {s, BYTES_BESIDE_ALL};
-    (void)checkpoint_visit_state(s, add_array, &sum);
+    (void)checkpoint_visit_state(s, add_checkpoint_array, &sum);
     for (int i = 0; i < run->n_extra; i++)
         sum.bytes += run->extra[i].n * run->extra[i].components * sizeof(double) + BYTES_BESIDE_ARRAY;
     return sum.bytes + 4 * (strlen(run->deck) + strlen(run->identity));

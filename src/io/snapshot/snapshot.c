@@ -74,7 +74,8 @@ static floe_status keep_or_remove(snapshot_series *series, const char *path, lon
     return series->times.status;
 }
 
-static floe_status sort_out(snapshot_series *series, const snapshot_numbers *list, double keep_until)
+/* Keeps the snapshots up to a time, whose parts of the XDMF page are collected, and removes the others. */
+static floe_status keep_earlier(snapshot_series *series, const snapshot_numbers *list, double keep_until)
 {
     for (size_t i = 0; i < list->n; i++) {
         char name[SNAPSHOT_NAME];
@@ -102,7 +103,7 @@ static floe_status take_over_folder(snapshot_series *series, const char *folder,
     snapshot_numbers list = {0};
     TRY(folder_make(series->ctx, folder));
     floe_status status = snapshot_numbers_list(series->ctx, folder, &list);
-    if (status == FLOE_OK) status = sort_out(series, &list, keep_until);
+    if (status == FLOE_OK) status = keep_earlier(series, &list, keep_until);
     if (status == FLOE_OK) status = folder_sync(series->ctx, folder);
     memory_free(series->ctx, &list.number);
     return status;
@@ -196,8 +197,8 @@ static floe_status fill_snapshot(const snapshot_series *series, const sim *s, hd
     return hdf_write_text(hdf, "/xdmf", strbuf_string(page));
 }
 
-static floe_status make_image(const snapshot_series *series, const sim *s, strbuf *page, const char *name, char **image,
-                              size_t *size)
+static floe_status make_snapshot_image(const snapshot_series *series, const sim *s, strbuf *page, const char *name,
+                                       char **image, size_t *size)
 {
     hdf_file hdf;
     TRY(hdf_create(&hdf, series->ctx, name));
@@ -224,7 +225,7 @@ floe_status snapshot_write(snapshot_series *series, const sim *s)
     strbuf page;
     strbuf_init(&page, series->ctx);
     snapshot_file_name(name, series->next);
-    floe_status status = make_image(series, s, &page, name, &image, &size);
+    floe_status status = make_snapshot_image(series, s, &page, name, &image, &size);
     if (status == FLOE_OK) status = write_file(series, name, image, size);
     memory_free(series->ctx, &image);
     if (status == FLOE_OK) {

@@ -45,8 +45,8 @@ static hdf_shape shape_of(const writer *w, bool vector)
 
 /* The array of w->data (or of `integers`) as a dataset with its attributes; *out describes it to XDMF, `path` keeps its
  * name. */
-static floe_status write_array(writer *w, const array_spec *spec, const int64_t *integers, char path[PATH_SIZE],
-                               hdf_shape *extent, xdmf_array *out)
+static floe_status write_snapshot_array(writer *w, const array_spec *spec, const int64_t *integers,
+                                        char path[PATH_SIZE], hdf_shape *extent, xdmf_array *out)
 {
     const char *unit = output_unit(w->s, spec->unit);
     (void)snprintf(path, PATH_SIZE, "%s/%s", w->group, spec->name);
@@ -69,12 +69,12 @@ static floe_status write_array(writer *w, const array_spec *spec, const int64_t 
 }
 
 /* Writes w->data and shows it as an attribute of the grid. */
-static floe_status add_array(writer *w, const array_spec *spec)
+static floe_status add_snapshot_array(writer *w, const array_spec *spec)
 {
     char path[PATH_SIZE];
     hdf_shape extent;
     xdmf_array array;
-    TRY(write_array(w, spec, NULL, path, &extent, &array));
+    TRY(write_snapshot_array(w, spec, NULL, path, &extent, &array));
     xdmf_add(w->page, &array);
     return w->page->status;
 }
@@ -126,7 +126,7 @@ static floe_status add_field(void *user, const output_field *field)
     if (field->id == C_PRESSURE) TRY(mask_closed(w, field->instance, w->data));
     const size_t numbers = (vector ? 3 : 1) * count_entries(w);
     for (size_t i = 0; i < numbers && field->scale != 1.0; i++) w->data[i] *= field->scale;
-    return add_array(
+    return add_snapshot_array(
         w, &(array_spec){.name = field->name, .unit = field->unit, .meaning = field->meaning, .vector = vector});
 }
 
@@ -183,14 +183,14 @@ static floe_status add_pressure(writer *w, const double *stress)
     static const array_spec spec = {
         .name = "pressure", .unit = "Pa", .meaning = "absolute: p_ref less the mean stress"};
     for (size_t i = 0; i < w->points->n; i++) w->data[i] = pressure_of(w, stress + 6 * i);
-    return add_array(w, &spec);
+    return add_snapshot_array(w, &spec);
 }
 
 static floe_status add_von_mises(writer *w, const double *stress)
 {
     static const array_spec spec = {.name = "von_mises", .unit = "Pa", .meaning = "von Mises stress"};
     for (size_t i = 0; i < w->points->n; i++) w->data[i] = von_mises_of(stress + 6 * i);
-    return add_array(w, &spec);
+    return add_snapshot_array(w, &spec);
 }
 
 static floe_status add_polar(writer *w, const double *stress, const double *x)
@@ -201,7 +201,7 @@ static floe_status add_polar(writer *w, const double *stress, const double *x)
     if (m->dim != 2 || m->geometry != MESH_CARTESIAN || strcmp(w->s->scene->verify.exact, "lame") != 0) return FLOE_OK;
     for (int hoop = 0; hoop < 2; hoop++) {
         for (size_t i = 0; i < w->points->n; i++) w->data[i] = polar_of(stress + 6 * i, x + 3 * i, hoop != 0);
-        TRY(add_array(w, &spec[hoop]));
+        TRY(add_snapshot_array(w, &spec[hoop]));
     }
     return FLOE_OK;
 }
@@ -240,7 +240,7 @@ static floe_status write_numbers(writer *w, const array_spec *spec, bool ids, wr
     int64_t *number;
     TRY(memory_new(w->s->ctx, &number, w->points->n, sizeof *number));
     for (size_t i = 0; i < w->points->n; i++) number[i] = ids ? (int64_t)w->points->place[i].id : (int64_t)i;
-    const floe_status status = write_array(w, spec, number, out->path, &out->extent, &out->array);
+    const floe_status status = write_snapshot_array(w, spec, number, out->path, &out->extent, &out->array);
     memory_free(w->s->ctx, &number);
     return status;
 }
@@ -254,7 +254,7 @@ static floe_status begin_points(writer *w, const char *label)
     written index, position;
     TRY(write_numbers(w, &of_index, false, &index));
     gather_vector(w, P_POS, w->points->body);
-    TRY(write_array(w, &of_position, NULL, position.path, &position.extent, &position.array));
+    TRY(write_snapshot_array(w, &of_position, NULL, position.path, &position.extent, &position.array));
     xdmf_begin_points(w->page, label, &index.array, &position.array);
     return w->page->status;
 }

@@ -85,7 +85,7 @@ static floe_status want_map(searching *r)
     return FLOE_OK;
 }
 
-static floe_status want_next(void *of, case_round *round)
+static floe_status want_next_of_stability(void *of, case_round *round)
 {
     searching *r = of;
     stability *s = r->s;
@@ -113,7 +113,7 @@ static floe_status take_probes(void *of, const case_round *round)
     return FLOE_OK;
 }
 
-static floe_status write_results(void *of)
+static floe_status write_stability_results(void *of)
 {
     const searching *r = of;
     TRY(stability_write(r->s));
@@ -134,7 +134,7 @@ static floe_status check_verdicts(void *of)
 
 static floe_status run_stability(stability *s, const stability_options *o)
 {
-    static const case_judge judge = {want_next, take_probes, write_results, check_verdicts};
+    static const case_judge judge = {want_next_of_stability, take_probes, write_stability_results, check_verdicts};
     searching r = {.s = s, .o = o};
     TRY(stability_setup(s, o));
     const floe_status status = judge_cases(s->ctx, &judge, &r);

@@ -129,7 +129,7 @@ static void make_limit_table(const stability *s, table *t)
 
 /* ---- as files ---- */
 
-static json_t *axes_json(const scene_axis *axis, int n, bool values)
+static json_t *stability_axes_json(const scene_axis *axis, int n, bool values)
 {
     json_t *object = json_object();
     for (int i = 0; i < n; i++)
@@ -145,8 +145,8 @@ static floe_status write_json(const stability *s, const table *probes, const tab
     return json_write(s->ctx, path,
                       json_pack("{s:i, s:o, s:s, s:o, s:o, s:s, s:o, s:o, s:o, s:s, s:o, s:o}", "schema", 1, "deck",
                                 json_plain_text(s->deck_path), "title", s->title, "over",
-                                axes_json(s->over, s->n_over, stability_is_map(s)), "each",
-                                axes_json(s->each, s->n_each, true), "unit", unit_name(s), "relative_to",
+                                stability_axes_json(s->over, s->n_over, stability_is_map(s)), "each",
+                                stability_axes_json(s->each, s->n_each, true), "unit", unit_name(s), "relative_to",
                                 json_number(s->relative_to), "tolerance", json_number(s->tolerance), "growth",
                                 json_number(s->growth), "criterion", criterion, "limits", table_json(limits), "runs",
                                 table_json(probes)));

@@ -103,7 +103,7 @@ static size_t list_group(tolerance *t, size_t group, size_t at)
     return n;
 }
 
-static floe_status make_curves(tolerance *t)
+static floe_status make_tolerance_curves(tolerance *t)
 {
     const study *s = t->study;
     TRY(memory_new(t->ctx, &t->curve, s->n_groups, sizeof *t->curve));
@@ -212,7 +212,7 @@ static double seconds_left(const tolerance *t)
 }
 
 /* A run to a tolerance as a judge: case by case. */
-static floe_status want_next(void *of, case_round *round)
+static floe_status want_next_of_tolerance(void *of, case_round *round)
 {
     tolerance *t = of;
     t->step =
@@ -240,7 +240,7 @@ static floe_status take_case(void *of, const case_round *round)
 }
 
 /* The cases as a study: what `floe study` would go on with, and `floe report` reads. */
-static floe_status write_results(void *of)
+static floe_status write_tolerance_results(void *of)
 {
     return study_write(((const tolerance *)of)->study);
 }
@@ -254,7 +254,7 @@ static floe_status publish_choice(void *of)
 
 static floe_status run_cases(tolerance *t)
 {
-    static const case_judge judge = {want_next, take_case, write_results, publish_choice};
+    static const case_judge judge = {want_next_of_tolerance, take_case, write_tolerance_results, publish_choice};
     const batch_options batch = study_batch_options(t->study);
     TRY(batch_recall(t->ctx, &batch, t->study->run, t->study->n));
     take_results(t);
@@ -266,7 +266,7 @@ static floe_status run_tolerance(tolerance *t)
 {
     folder_lock lock;
     TRY(look_at_deck(t));
-    TRY(make_curves(t));
+    TRY(make_tolerance_curves(t));
     TRY(folder_make(t->ctx, t->options->dir));
     TRY(folder_lock_take(&lock, t->ctx, t->options->dir));
     const floe_status status = run_cases(t);

@@ -51,7 +51,7 @@ static floe_status write_summary(const tolerance *t, const study_case *one, cons
 }
 
 /* What of the case's folder is the batch's, not the run's; the summary is written anew. */
-static bool is_left_out(const char *name)
+static bool is_file_left_out(const char *name)
 {
     return strcmp(name, "case.json") == 0 || strcmp(name, "stderr.txt") == 0 || strcmp(name, "summary.json") == 0 ||
            strcmp(name, ".lock") == 0;
@@ -68,7 +68,7 @@ floe_status tolerance_publish(tolerance *t)
     (void)snprintf(from, sizeof from, "%.2000s/%s/fields", t->cases, one->run->folder);
     if (file_exists(from)) TRY(folder_copy(t->ctx, from, to, NULL));
     *strrchr(from, '/') = '\0';
-    TRY(folder_copy(t->ctx, from, t->options->dir, is_left_out));
+    TRY(folder_copy(t->ctx, from, t->options->dir, is_file_left_out));
     TRY(write_summary(t, one, path));
     t->published = true;
     return FLOE_OK;

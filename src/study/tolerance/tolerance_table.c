@@ -33,7 +33,7 @@ static size_t next_by_time(const tolerance *t, double seconds, size_t after)
 }
 
 /* What is to be said of a case: of the last one of its variant, why it is the last. */
-static void describe_case(const tolerance *t, size_t k, char text[TOLERANCE_TEXT])
+static void describe_try(const tolerance *t, size_t k, char text[TOLERANCE_TEXT])
 {
     const choose_step at = step_of_case(t, k);
     const study_case *one = tolerance_case(t, at.curve, at.at);
@@ -46,7 +46,7 @@ static void describe_case(const tolerance *t, size_t k, char text[TOLERANCE_TEXT
         tolerance_why_left(t, at.curve, text);
 }
 
-static void add_case(const tolerance *t, size_t k, table *to)
+static void add_try_row(const tolerance *t, size_t k, table *to)
 {
     static const table_column stored = {.in = TABLE_JSON};
     char text[TOLERANCE_TEXT];
@@ -68,7 +68,7 @@ static void add_case(const tolerance *t, size_t k, table *to)
                     c->error, text);
     table_flag(to, "sure", stored, c->sure);
     table_number(to, "time", (table_column){.in = TABLE_SHOWN, .format = "%.3g s", .width = 10}, c->seconds);
-    describe_case(t, k, text);
+    describe_try(t, k, text);
     table_text(to, "", (table_column){.in = TABLE_SHOWN, .left = true}, text);
 }
 
@@ -77,19 +77,19 @@ json_t *tolerance_cases_json(const tolerance *t)
     table of;
     table_init(&of, t->ctx);
     for (size_t k = 0; k < t->study->n; k++)
-        if (has_run(t, k)) add_case(t, k, &of);
+        if (has_run(t, k)) add_try_row(t, k, &of);
     json_t *list = table_json(&of);
     table_free(&of);
     return list;
 }
 
-static floe_status print_cases(const tolerance *t, FILE *file)
+static floe_status print_tries(const tolerance *t, FILE *file)
 {
     table of;
     double seconds = -1.0;
     table_init(&of, t->ctx);
     for (size_t k = next_by_time(t, seconds, SIZE_MAX); k < t->study->n; k = next_by_time(t, seconds, k)) {
-        add_case(t, k, &of);
+        add_try_row(t, k, &of);
         seconds = t->list[k].seconds;
     }
     const floe_status status = table_print(&of, file);
@@ -114,7 +114,7 @@ floe_status tolerance_print(const tolerance *t, FILE *file)
     const study *s = t->study;
     if (!t->curve || !t->published) return FLOE_OK;
     if (s->title[0]) (void)fprintf(file, "%s\n", s->title);
-    TRY(print_cases(t, file));
+    TRY(print_tries(t, file));
     print_untried(t, file);
     tolerance_error_text(t, t->curve[t->step.curve].list[t->step.at].error, error);
     tolerance_reason(t, text);

@@ -11,7 +11,7 @@ static const param_spec impact_params[] = {
     PAR_BETWEEN(impact_par, axis, "1", 0.0, 2.0, 0.0, "the axis of the bars: 0, 1 or 2"),
 };
 
-static floe_status impact_prepare(context *ctx, const void *par, int dim, void *prepared)
+static floe_status bar_impact_prepare(context *ctx, const void *par, int dim, void *prepared)
 {
     const impact_par *p = par;
     TRY(check_axis(ctx, p->axis, dim));
@@ -87,7 +87,7 @@ static const exact_scalar impact_scalars[] = {
     [LARGEST_FORCE] = {"largest_force", "N", "largest force between the bars"},
 };
 
-static double impact_scalar(const void *par, const void *prepared, size_t i, double t)
+static double bar_impact_scalar(const void *par, const void *prepared, size_t i, double t)
 {
     (void)par;
     (void)t;
@@ -126,8 +126,8 @@ const exact_model exact_bar_impact = {
                .hi = {2.2},
                .t = 0.004},
     .prepared_size = sizeof(bar_impact),
-    .prepare = impact_prepare,
+    .prepare = bar_impact_prepare,
     .value = impact_value,
     .breaks = impact_breaks,
-    .scalar = impact_scalar,
+    .scalar = bar_impact_scalar,
 };

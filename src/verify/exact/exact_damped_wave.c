@@ -61,7 +61,7 @@ static double complex wave_rate(const wave_par *p, double k2)
     return complex_of(rate * GSL_REAL(z[chosen]), rate * GSL_IMAG(z[chosen]));
 }
 
-static floe_status wave_prepare(context *ctx, const void *par, int dim, void *prepared)
+static floe_status damped_wave_prepare(context *ctx, const void *par, int dim, void *prepared)
 {
     const wave_par *p = par;
     wave_constants *c = prepared;
@@ -86,8 +86,8 @@ static floe_status wave_prepare(context *ctx, const void *par, int dim, void *pr
     return FLOE_OK;
 }
 
-static double wave_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],
-                         double t)
+static double damped_wave_value(const void *par, const void *prepared, exact_quantity quantity, int dim,
+                                const double x[3], double t)
 {
     (void)dim;
     const wave_par *p = par;
@@ -110,7 +110,7 @@ static const exact_scalar wave_scalars[] = {
     {"omega", "rad/s", "angular frequency"},
 };
 
-static double wave_scalar(const void *par, const void *prepared, size_t i, double t)
+static double damped_wave_scalar(const void *par, const void *prepared, size_t i, double t)
 {
     (void)par;
     (void)t;
@@ -144,7 +144,7 @@ const exact_model exact_damped_wave = {
     .n_scalars = COUNT_OF(wave_scalars),
     .sample = {.par = &sample_par, .dim = 1, .lo = {0.0}, .hi = {1.0}, .t = 0.5},
     .prepared_size = sizeof(wave_constants),
-    .prepare = wave_prepare,
-    .value = wave_value,
-    .scalar = wave_scalar,
+    .prepare = damped_wave_prepare,
+    .value = damped_wave_value,
+    .scalar = damped_wave_scalar,
 };

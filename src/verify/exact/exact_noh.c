@@ -23,7 +23,7 @@ static floe_status noh_prepare(context *ctx, const void *par, int dim, void *pre
     return radial_check(ctx, &p->radial, dim);
 }
 
-static double shock_radius(const noh_par *p, double t)
+static double noh_shock_radius(const noh_par *p, double t)
 {
     return 0.5 * (p->gamma - 1.0) * p->speed * fmax(t, 0.0);
 }
@@ -35,7 +35,7 @@ typedef struct noh_state {
 static noh_state noh_at(const noh_par *p, double r, double t)
 {
     const double g = p->gamma;
-    if (r < shock_radius(p, t)) {
+    if (r < noh_shock_radius(p, t)) {
         const double density = p->density * pow((g + 1.0) / (g - 1.0), p->radial.geometry + 1.0);
         return (noh_state){density, 0.0, 0.5 * (g - 1.0) * density * p->speed * p->speed};
     }
@@ -57,7 +57,7 @@ static void noh_breaks(const void *par, const void *prepared, double t, exact_br
 {
     (void)prepared;
     const noh_par *p = par;
-    radial_breaks(&p->radial, shock_radius(p, t), out);
+    radial_breaks(&p->radial, noh_shock_radius(p, t), out);
 }
 
 enum { SHOCK, INNER_DENSITY, INNER_PRESSURE };
@@ -74,7 +74,7 @@ static double noh_scalar(const void *par, const void *prepared, size_t i, double
     const noh_par *p = par;
     const noh_state inner = noh_at(p, -1.0, t);
     switch (i) {
-    case SHOCK: return shock_radius(p, t);
+    case SHOCK: return noh_shock_radius(p, t);
     case INNER_DENSITY: return inner.density;
     case INNER_PRESSURE: return inner.pressure;
     default: return NAN;

@@ -26,7 +26,7 @@ typedef struct wave_constants {
     double sound; /* m/s: of the gas at rest */
 } wave_constants;
 
-static floe_status wave_prepare(context *ctx, const void *par, int dim, void *prepared)
+static floe_status piston_wave_prepare(context *ctx, const void *par, int dim, void *prepared)
 {
     const wave_par *p = par;
     wave_constants *c = prepared;
@@ -63,7 +63,7 @@ static double characteristic_lead(double from, void *user)
            c->at;
 }
 
-static double velocity_at(const wave_par *p, const wave_constants *c, double x, double t)
+static double piston_wave_velocity(const wave_par *p, const wave_constants *c, double x, double t)
 {
     if (!(t > p->start) || x >= p->origin + c->sound * (t - p->start)) return 0.0;
     if (x < piston_position(p, t)) return NAN;
@@ -72,14 +72,14 @@ static double velocity_at(const wave_par *p, const wave_constants *c, double x, 
     return p->speed * swing_at(&c->law, from);
 }
 
-static double wave_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],
-                         double t)
+static double piston_wave_value(const void *par, const void *prepared, exact_quantity quantity, int dim,
+                                const double x[3], double t)
 {
     (void)dim;
     const wave_par *p = par;
     const wave_constants *c = prepared;
     const int axis = whole_number(p->axis);
-    const double u = velocity_at(p, c, x[axis], t), ratio = 1.0 + 0.5 * (p->gamma - 1.0) * u / c->sound;
+    const double u = piston_wave_velocity(p, c, x[axis], t), ratio = 1.0 + 0.5 * (p->gamma - 1.0) * u / c->sound;
     if (is_velocity(quantity)) return component_along(quantity, EXACT_VELOCITY_X, axis, u);
     return simple_wave_value(quantity, p->density, p->pressure, p->gamma, p->heat_capacity, ratio);
 }
@@ -101,6 +101,6 @@ const exact_model exact_piston_wave = {
     .provides = EXACT_FLUID_STATE,
     .sample = {.par = &sample_par, .dim = 1, .lo = {0.1}, .hi = {0.8}, .t = 1.0},
     .prepared_size = sizeof(wave_constants),
-    .prepare = wave_prepare,
-    .value = wave_value,
+    .prepare = piston_wave_prepare,
+    .value = piston_wave_value,
 };

@@ -40,7 +40,8 @@ static floe_status relaxation_prepare(context *ctx, const void *par, int dim, vo
 }
 
 /* 1/tau of the difference of velocities, or of temperatures. */
-static double rate_of(double exchange, const relaxation_par *p, double first_capacity, double second_capacity)
+static double relaxation_rate_of(double exchange, const relaxation_par *p, double first_capacity,
+                                 double second_capacity)
 {
     return exchange * p->first_volume_fraction * p->second_volume_fraction *
            (1.0 / first_capacity + 1.0 / second_capacity);
@@ -48,16 +49,16 @@ static double rate_of(double exchange, const relaxation_par *p, double first_cap
 
 static double velocity_rate(const relaxation_par *p)
 {
-    return rate_of(p->momentum_exchange, p, p->first_density, p->second_density);
+    return relaxation_rate_of(p->momentum_exchange, p, p->first_density, p->second_density);
 }
 
 static double temperature_rate(const relaxation_par *p)
 {
-    return rate_of(p->heat_exchange, p, p->first_density * p->first_heat_capacity,
-                   p->second_density * p->second_heat_capacity);
+    return relaxation_rate_of(p->heat_exchange, p, p->first_density * p->first_heat_capacity,
+                              p->second_density * p->second_heat_capacity);
 }
 
-static double velocity_at(const relaxation_par *p, double t)
+static double relaxation_velocity(const relaxation_par *p, double t)
 {
     const double mass = p->first_density + p->second_density;
     const double mean = (p->first_density * p->first_velocity + p->second_density * p->second_velocity) / mass;
@@ -102,7 +103,7 @@ static double relaxation_value(const void *par, const void *prepared, exact_quan
     (void)x;
     const relaxation_par *p = par;
     if (is_velocity(quantity))
-        return component_along(quantity, EXACT_VELOCITY_X, whole_number(p->axis), velocity_at(p, t));
+        return component_along(quantity, EXACT_VELOCITY_X, whole_number(p->axis), relaxation_velocity(p, t));
     if (quantity == EXACT_TEMPERATURE) return temperature_at(p, t);
     if (quantity == EXACT_DENSITY) return whole_number(p->material) == 1 ? p->first_density : p->second_density;
     if (quantity == EXACT_VOLUME_FRACTION) {

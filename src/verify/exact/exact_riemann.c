@@ -39,7 +39,8 @@ static floe_status riemann_prepare(context *ctx, const void *par, int dim, void 
 }
 
 /* Before and at t = 0 the two states as given. */
-static riemann_state state_at(const riemann_par *p, const riemann_solution *solution, const double x[3], double t)
+static riemann_state riemann_state_at(const riemann_par *p, const riemann_solution *solution, const double x[3],
+                                      double t)
 {
     const double distance = x[whole_number(p->axis)] - p->position;
     if (t > 0.0) return riemann_sample(solution, distance / t);
@@ -65,7 +66,7 @@ static double riemann_value(const void *par, const void *prepared, exact_quantit
     (void)dim;
     const riemann_par *p = par;
     const riemann_solution *solution = prepared;
-    const riemann_state state = state_at(p, solution, x, t);
+    const riemann_state state = riemann_state_at(p, solution, x, t);
     const riemann_side *side = state.left_gas ? &solution->left : &solution->right;
     const double heat = state.left_gas ? p->left_heat_capacity : p->right_heat_capacity;
     if (is_velocity(quantity))

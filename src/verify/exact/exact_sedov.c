@@ -111,7 +111,7 @@ static floe_status sedov_prepare(context *ctx, const void *par, int dim, void *p
     return FLOE_OK;
 }
 
-static double shock_radius(const sedov_par *p, const sedov *q, double t)
+static double sedov_shock_radius(const sedov_par *p, const sedov *q, double t)
 {
     const double age = fmax(t + p->start, 0.0);
     return pow(p->energy * age * age / (q->alpha * p->density), 1.0 / (q->j + 2.0));
@@ -119,7 +119,7 @@ static double shock_radius(const sedov_par *p, const sedov *q, double t)
 
 static double shock_speed(const sedov_par *p, const sedov *q, double t)
 {
-    return q->A0 * shock_radius(p, q, t) / (t + p->start);
+    return q->A0 * sedov_shock_radius(p, q, t) / (t + p->start);
 }
 
 static double sedov_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],
@@ -127,7 +127,7 @@ static double sedov_value(const void *par, const void *prepared, exact_quantity 
 {
     const sedov_par *p = par;
     const sedov *q = prepared;
-    const double g = p->gamma, r = radial_distance(&p->radial, dim, x), front = shock_radius(p, q, t);
+    const double g = p->gamma, r = radial_distance(&p->radial, dim, x), front = sedov_shock_radius(p, q, t);
     double density = p->density, velocity = 0.0, pressure = p->pressure;
     if (r < front) {
         const double D = shock_speed(p, q, t);
@@ -143,7 +143,7 @@ static double sedov_value(const void *par, const void *prepared, exact_quantity 
 static void sedov_breaks(const void *par, const void *prepared, double t, exact_breaks *out)
 {
     const sedov_par *p = par;
-    radial_breaks(&p->radial, shock_radius(p, prepared, t), out);
+    radial_breaks(&p->radial, sedov_shock_radius(p, prepared, t), out);
 }
 
 enum { SHOCK, SPEED, ALPHA };
@@ -158,7 +158,7 @@ static double sedov_scalar(const void *par, const void *prepared, size_t i, doub
 {
     const sedov *q = prepared;
     switch (i) {
-    case SHOCK: return shock_radius(par, q, t);
+    case SHOCK: return sedov_shock_radius(par, q, t);
     case SPEED: return shock_speed(par, q, t);
     case ALPHA: return q->alpha;
     default: return NAN;

@@ -26,7 +26,7 @@ typedef struct wave_constants {
     double break_time; /* s: when the steepest characteristics meet */
 } wave_constants;
 
-static floe_status wave_prepare(context *ctx, const void *par, int dim, void *prepared)
+static floe_status simple_wave_prepare(context *ctx, const void *par, int dim, void *prepared)
 {
     const wave_par *p = par;
     wave_constants *c = prepared;
@@ -69,8 +69,8 @@ static double disturbance_at(const wave_par *p, const wave_constants *c, double 
     return p->amplitude * profile_value(&c->shape, start);
 }
 
-static double wave_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],
-                         double t)
+static double simple_wave_quantity(const void *par, const void *prepared, exact_quantity quantity, int dim,
+                                   const double x[3], double t)
 {
     (void)dim;
     const wave_par *p = par;
@@ -87,7 +87,7 @@ static const exact_scalar wave_scalars[] = {
     {"break_time", "s", "time at which the wave breaks; no value is given from then on"},
 };
 
-static double wave_scalar(const void *par, const void *prepared, size_t i, double t)
+static double simple_wave_scalar(const void *par, const void *prepared, size_t i, double t)
 {
     (void)par;
     (void)i;
@@ -125,7 +125,7 @@ const exact_model exact_simple_wave = {
     .n_scalars = COUNT_OF(wave_scalars),
     .sample = {.par = &sample_par, .dim = 1, .lo = {0.0}, .hi = {1.0}, .t = 0.5},
     .prepared_size = sizeof(wave_constants),
-    .prepare = wave_prepare,
-    .value = wave_value,
-    .scalar = wave_scalar,
+    .prepare = simple_wave_prepare,
+    .value = simple_wave_quantity,
+    .scalar = simple_wave_scalar,
 };

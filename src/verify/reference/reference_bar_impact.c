@@ -4,7 +4,7 @@
 
 static const param_spec impact_params[] = {BAR_IMPACT_PARAMS};
 
-static floe_status impact_prepare(context *ctx, const void *par, void *prepared)
+static floe_status bar_impact_reference_prepare(context *ctx, const void *par, void *prepared)
 {
     return bar_impact_solve(ctx, par, prepared);
 }
@@ -71,7 +71,7 @@ static const reference_scalar impact_scalars[] = {
     {"right_after", "m/s", "velocity of the right bar's centre of mass after the first contact"},
 };
 
-static double impact_scalar(const void *par, const void *prepared, size_t i)
+static double bar_impact_reference_scalar(const void *par, const void *prepared, size_t i)
 {
     (void)par;
     const bar_impact *b = prepared;
@@ -101,7 +101,7 @@ const reference_model reference_bar_impact = {
     .sample = &(const bar_impact_par)BAR_IMPACT_SAMPLE,
     .sample_end = 0.06,
     .prepared_size = sizeof(bar_impact),
-    .prepare = impact_prepare,
+    .prepare = bar_impact_reference_prepare,
     .series = impact_series,
-    .scalar = impact_scalar,
+    .scalar = bar_impact_reference_scalar,
 };

@@ -58,7 +58,7 @@ static double surface_of(const vessel_par *p, double mass)
     return p->specific_surface * mass / p->grain_density;
 }
 
-static double rate_of(const vessel_par *p, double mass)
+static double vessel_rate_of(const vessel_par *p, double mass)
 {
     return -p->grain_density * surface_of(p, mass) * p->velocity * pow(pressure_of(p, mass) / p->pressure, p->exponent);
 }
@@ -66,7 +66,7 @@ static double rate_of(const vessel_par *p, double mass)
 static void vessel_rate(double t, const double *y, double *dydt, void *user)
 {
     (void)t;
-    dydt[0] = rate_of(((const vessel *)user)->p, y[0]);
+    dydt[0] = vessel_rate_of(((const vessel *)user)->p, y[0]);
 }
 
 static void vessel_take(size_t i, double t, const double *y, void *user)
@@ -76,7 +76,7 @@ static void vessel_take(size_t i, double t, const double *y, void *user)
     v->value[GRAINS * v->n + i] = y[0];
     v->value[GAS * v->n + i] = v->p->gas_mass + v->p->grain_mass - y[0];
     v->value[PRESSURE * v->n + i] = pressure_of(v->p, y[0]);
-    v->value[BURN_RATE * v->n + i] = rate_of(v->p, y[0]);
+    v->value[BURN_RATE * v->n + i] = vessel_rate_of(v->p, y[0]);
 }
 
 static floe_status vessel_prepare(context *ctx, const void *par, void *prepared)

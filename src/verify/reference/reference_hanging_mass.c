@@ -163,7 +163,7 @@ static void swing_state(swing *s, double time, double *u, double *rate)
     *rate = sqrt(2.0 * fmax(kinetic_at(x, s), 0.0) / s->p->mass);
 }
 
-static void state_at(swing *s, double t, double *u, double *rate)
+static void string_state_at(swing *s, double t, double *u, double *rate)
 {
     const double half = s->m->fall + s->m->swing;
     const double cycle = fmod(t, 2.0 * half);
@@ -188,7 +188,7 @@ static floe_status mass_series(context *ctx, const void *par, const void *prepar
     swing s = {.p = p, .m = prepared, .table = table};
     for (size_t i = 0; i < n; i++) {
         double u, rate;
-        state_at(&s, t[i], &u, &rate);
+        string_state_at(&s, t[i], &u, &rate);
         const double x = fmax(u - p->slack, 0.0);
         value[POSITION * n + i] = p->origin - u;
         value[VELOCITY * n + i] = -rate;

@@ -63,7 +63,7 @@ static double volume_at(const rest_par *p, double r)
     return surface_factor(p) * pow(r, surface_exponent(p) + 1) / (surface_exponent(p) + 1);
 }
 
-static rest_state state_at(const rest_par *p, double r)
+static rest_state membrane_state_at(const rest_par *p, double r)
 {
     const int k = surface_exponent(p);
     const double stretch = r / p->rest_radius;
@@ -86,7 +86,7 @@ static rest_state state_at(const rest_par *p, double r)
 static double excess_energy(double r, void *user)
 {
     const rest_par *p = user;
-    const rest_state s = state_at(p, r);
+    const rest_state s = membrane_state_at(p, r);
     const double enclosed = p->enclosed > 0.0 ? p->enclosed : p->gas_volume;
     return s.value[GAS_ENERGY] + s.value[STRAIN_ENERGY] + p->outside_pressure * (volume_at(p, r) - enclosed) -
            p->gas_pressure * p->gas_volume / (p->gamma - 1.0);
@@ -111,7 +111,7 @@ static floe_status rest_prepare(context *ctx, const void *par, void *prepared)
         return fail_key(ctx, KEY("modulus"), "%g and thickness = %g hold the gas at no radius: there is no rest",
                         p.modulus, p.thickness);
     }
-    *(rest_state *)prepared = state_at(&p, radius);
+    *(rest_state *)prepared = membrane_state_at(&p, radius);
     return FLOE_OK;
 }
 
