@@ -94,8 +94,8 @@ struct ice {
     bool implicit;               /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
     ice_seal seal;
     struct wall_response
-        *walls;        /* how pressures at boundaries give way in the step; not owned; NULL: they do not (theory 7.6) */
-    double gravity[3]; /* m/s2 */
+        *walls; /* response of wall pressures to motion in the step; not owned; NULL: they are explicit (theory 7.6) */
+    double gravity[3];       /* m/s2 */
     exchange_table exchange; /* K_rs and R_rs */
     double time, dt;         /* s: of the current step */
     long step;               /* committed steps so far, kept by the owner of the run (ramps counted in steps) */
@@ -177,7 +177,7 @@ floe_status ice_sealed_velocity(ice *s);      /* 2.2 */
 floe_status ice_sealed_increment(ice *s);     /* 2.3 */
 floe_status ice_sealed_face_pressure(ice *s); /* 2.4 */
 floe_status ice_sealed_load(ice *s);          /* forces on the boundaries */
-floe_status ice_sealed_give_way(ice *s);      /* what these change by as the boundaries move (ice_merged_pieces.c) */
+floe_status ice_sealed_wall_pressure(ice *s); /* applies the changes of wall pressure (ice_merged_pieces.c) */
 floe_status ice_sealed_sources(ice *s);       /* 2.6, 2.8, with the work on the boundaries */
 floe_status ice_sealed_advect(ice *s);        /* 2.11, with the new open fractions */
 /* Which membranes are inside which, from where they are (SEAL_NOW). They stay so. */

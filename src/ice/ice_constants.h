@@ -22,10 +22,10 @@
 #define ICE_KINK_MEAN 0.7
 #define ICE_KINK_SIGNED 0.3
 
-/* Of the viscosity at kinks, per limited gradient. More damps what a centred step rings, and smears the foot of fans. */
+/* Of the viscosity at kinks, per limited gradient. More damps the oscillations of a centred step, and smears the foot of fans. */
 #define ICE_KINK_VISCOSITY 0.6
 /* q of a shock: coefficients of the square of the velocity's jump over a cell and of the jump times the speed of sound (von Neumann and Richtmyer;
- * Landshoff). Less rings, more widens the shock. */
+ * Landshoff). Less leaves oscillations, more widens the shock. */
 #define ICE_SHOCK_QUADRATIC 0.75
 #define ICE_SHOCK_LINEAR 0.3
 /* Share of a cell's stiffness by which carried pressure may change the advanced one: any multiple of its own beside a vacuum otherwise. */
@@ -71,8 +71,8 @@
 #define ICE_TRACE_STRONG 0.33
 #define ICE_TRACE_STEEP_FOOT 0.75
 #define ICE_TRACE_STEEP_RISE 10.0
-/* And only such as all but stand on the mesh: their speed of the fastest wave's, and of the pressure's jump what momentum has not yet taken. Measured:
- * flattening at all shocks costs a quarter in velocity; 0.05 to 0.3 and 0.1 to 0.3 do as well. */
+/* Only shocks that are nearly stationary on the mesh: their speed over that of the fastest wave, and the share of the pressure's jump that momentum
+ * does not balance. Measured: flattening at all shocks increases the error of velocity by a quarter; 0.05 to 0.3 and 0.1 to 0.3 do as well. */
 #define ICE_TRACE_SLOW_SPEED 0.2
 #define ICE_TRACE_SLOW_THRUST 0.3
 /* Velocity's rise over two cells, of the speed of sound, from which pressure and velocity are limited in place of waves: towards a vacuum. */
@@ -158,8 +158,8 @@
 /* Of the largest step of viscosity, so much is taken in scenes with such boundaries, however small their cells: a cell that is open by half
  * has its wall at a quarter of a cell. At 0.7 a cylinder and its flow are stable, at 1 not. */
 #define ICE_WALL_DIFFUSION 0.5
-/* Volume fractions of fluids in what is open of a cell that differ by more from those in the whole cell, by samples, are
- * taken. Smaller would take the error of the samples for a difference. */
+/* Sampled volume fractions in the open volume of a cell are used if they differ by more than this from those in the
+ * whole cell. A smaller value would mistake the error of the samples for a difference. */
 #define ICE_SAMPLED_DIFFERENCE 0.1
 /* Volume fractions of cells that differ by less are those of one level: round-off. */
 #define ICE_SAME_LEVEL 1e-9
@@ -168,7 +168,7 @@
 #define ICE_GAP_DENSITY 1e-3
 /* Of a cell: a gap between solids that is thinner has the state of the gas at its end. */
 #define ICE_THIN_GAP 0.1
-/* Solids in contact may overlap by this share of a cell, and what is left outside several boundaries be off by that: round-off. */
+/* Solids in contact may overlap by this share of a cell, and the volume outside several boundaries may be wrong by that: round-off. */
 #define ICE_CONTACT_OVERLAP 1e-6
 #define ICE_OPEN_ROUND_OFF 1e-13
 

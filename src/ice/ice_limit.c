@@ -1,11 +1,10 @@
-/* The time step (theory 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2
- * where phi = 1, else 1; with the implicit pressure C / max sum |u_i|/h_i, and sound may cross acoustic_cfl cells; diffusion
- * dt <= 0.9 / (2 D sum h_i^-2) (half of that of viscosity beside embedded boundaries), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Traces
- * (theta < 1e-6) are left out.
+/* The time step (theory 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2 where phi = 1, else 1; with the
+ * implicit pressure C / max sum |u_i|/h_i, and sound may cross acoustic_cfl cells; diffusion dt <= 0.9 / (2 D sum h_i^-2) (for viscosity half of that beside
+ * embedded boundaries), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Traces (theta < 1e-6) are left out.
  *
- * A fluid that is tied to the others of its cell faster than sound crosses the cell carries sound at Wood's speed of the mixture,
- * not at its own: a hot trace of gas beside a solid does not limit the step. All of it comes from the fluids' state alone (what
- * they leave of a cell is the solids'), so that a resumed run takes the same steps. */
+ * A fluid that is coupled to the others of its cell faster than sound crosses the cell transmits sound at Wood's speed of the mixture, not at its own: a hot
+ * trace of gas beside a solid does not limit the step. The limit depends on the state of the fluids alone (the volume that they leave in a cell is the
+ * solids'), so that a resumed run takes the same steps. */
 #include "base/threads.h"
 #include "ice/ice_constants.h"
 #include "ice/state/ice_cells.h"

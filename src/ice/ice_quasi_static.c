@@ -1,4 +1,5 @@
-/* Regions of gas at rest: found. */
+/* Quasi-static gas on cells (ice_quasi_static.h): finds the regions of connected cells, sums their mass, energy and volume, and sets their cells to a state
+ * of rest. */
 #include "ice/ice_quasi_static.h"
 
 #include "base/memory.h"
@@ -81,7 +82,7 @@ static double gas_share_of_cell(const ice *s, int r, const int cell[MESH_MAX_DIM
 }
 
 /* The cell beside another, around a periodic end where need be. False beyond a side. */
-static bool step_to(const mesh *m, const int from[MESH_MAX_DIM], int axis, int side, int out[MESH_MAX_DIM])
+static bool find_cell_beside(const mesh *m, const int from[MESH_MAX_DIM], int axis, int side, int out[MESH_MAX_DIM])
 {
     memcpy(out, from, MESH_MAX_DIM * sizeof *out);
     out[axis] += side == SIDE_UPPER ? 1 : -1;
@@ -120,7 +121,7 @@ static floe_status collect_connected_cells(const ice *s, ice_quasi_static *r, in
         ice_numbered_cell(m, r->list[first], cell);
         for (int f = 0; f < 2 * m->dim; ++f) {
             if (!gas_passes_face(s, r, cell, f / 2, f % 2)) continue;
-            if (!step_to(m, cell, f / 2, f % 2, next)) {
+            if (!find_cell_beside(m, cell, f / 2, f % 2, next)) {
                 const bc_side *side = &s->scene->bc.side[f / 2][f % 2];
                 if (!ice_is_wall(side->kind)) TRY(open_region(s, &r->region[number], side));
                 continue;
@@ -151,7 +152,7 @@ static floe_status start_regions(ice *s, ice_quasi_static *r, double least)
     return FLOE_OK;
 }
 
-static floe_status find_regions(ice *s, ice_quasi_static *r)
+static floe_status find_gas_regions(ice *s, ice_quasi_static *r)
 {
     const int cells = (int)mesh_cells(s->mesh);
     int last = 0;
@@ -235,7 +236,7 @@ static floe_status apply_load(const ice *s, ice_quasi_static *r, const scene_loa
 
 floe_status ice_quasi_static_find(ice *s, ice_quasi_static *r)
 {
-    TRY(find_regions(s, r));
+    TRY(find_gas_regions(s, r));
     measure_regions(s, r);
     for (int l = 0; l < s->scene->n_loads; ++l)
         if (ice_material_of(s, s->scene->load[l].material) == r->material &&
@@ -250,7 +251,7 @@ int ice_gas_region_near(const ice *s, const ice_quasi_static *r, const int cell[
     int found = r->of[ice_cell_number(m, cell)];
     for (int f = 0; f < 2 * m->dim && found < 0; ++f) {
         int beside[MESH_MAX_DIM];
-        if (step_to(m, cell, f / 2, f % 2, beside)) found = r->of[ice_cell_number(m, beside)];
+        if (find_cell_beside(m, cell, f / 2, f % 2, beside)) found = r->of[ice_cell_number(m, beside)];
     }
     return found;
 }
@@ -292,8 +293,8 @@ static cell_gas gas_of(const ice *s, const ice_quasi_static *r, const ice_gas_re
     return (cell_gas){region, region >= 0 ? share : 0.0};
 }
 
-static void set_cell(const ice *s, const ice_quasi_static *r, int number, const ice_gas_region_state *state, cell_gas g,
-                     double factor)
+static void set_gas_cell(const ice *s, const ice_quasi_static *r, int number, const ice_gas_region_state *state,
+                         cell_gas g, double factor)
 {
     int cell[MESH_MAX_DIM];
     ice_numbered_cell(s->mesh, number, cell);
@@ -333,9 +334,9 @@ static void measure_volumes(const ice *s, const ice_quasi_static *r, const ice_g
     }
 }
 
-/* The cells' volume is not quite that of the solids' surface: a factor of densities makes up for it, so that no mass is
- * lost, beside the solids where it can. */
-static double factor_of(const ice *s, cell_gas g, const ice_gas_region_state *state, const region_volumes *volumes)
+/* The volume of a region by its cells differs a little from that inside the surface of the solids. So that no mass is lost, densities are multiplied by
+ * the ratio: in the cells beside solids alone if that suffices, else in all of the region. */
+static double density_factor(const ice *s, cell_gas g, const ice_gas_region_state *state, const region_volumes *volumes)
 {
     if (!(g.share > 0.0)) return 1.0;
     const double all = state[g.region].volume, clear = volumes[g.region].clear, shared = volumes[g.region].shared;
@@ -352,7 +353,7 @@ floe_status ice_quasi_static_fill(ice *s, const ice_quasi_static *r, const ice_g
     measure_volumes(s, r, state, volumes);
     for (int k = 0; k < cells; ++k) {
         const cell_gas g = gas_of(s, r, state, k);
-        set_cell(s, r, k, state, g, factor_of(s, g, state, volumes));
+        set_gas_cell(s, r, k, state, g, density_factor(s, g, state, volumes));
     }
     memory_free(s->ctx, &volumes);
     return FLOE_OK;

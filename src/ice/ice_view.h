@@ -1,4 +1,4 @@
-/* A block's arrays as kernels see them, and the rows that they go by. What all of the solver's parts have in common. */
+/* A block's arrays as the kernels see them, and the rows over which they run. Shared by all parts of the solver. */
 #ifndef ICE_ICE_VIEW_H
 #define ICE_ICE_VIEW_H
 
@@ -145,6 +145,13 @@ static inline ptrdiff_t ice_row_start(const block *b, ice_rows q, int row)
 /* Kernels over the rows of a view: cells with `ghost` layers, and faces of a material normal to `axis`. */
 void ice_run_cells(const ice_view *v, int ghost, ice_row *kernel);
 void ice_run_faces(const ice_view *v, int r, int axis, ice_material_row *kernel);
+
+/* Least energy (J/kg) that a fluid may have, 0 where its law's depends on density. */
+static inline double ice_least_energy(const ice_view *v, int r)
+{
+    const double floor = v->material[r].energy_floor;
+    return isnan(floor) ? 0.0 : floor;
+}
 
 /* The centring of the implicit pressure where the explicit one is phi. */
 static inline double ice_implicit_phi(const ice_view *v, double phi)

@@ -1,4 +1,4 @@
-/* From the scene to a set of bodies, fields and kernels. */
+/* Creates bodies, fields and kernels from the scene. */
 #include "base/memory.h"
 #include "mpm/contact/contact.h"
 #include "mpm/edge/edge.h"
@@ -173,8 +173,8 @@ static bool any_shares_over_patches(const mpm *s)
     return any;
 }
 
-/* Beside cells two terms: spin is kept as by four, at a third of their cost (docs/defaults.md). With hat functions two for bodies that are all but
- * incompressible, too: with three and more they swing up at 500 times their shear modulus, whatever the step. */
+/* Beside cells two terms: they preserve rotation as well as four, at a third of the cost (docs/defaults.md). With hat functions also two for
+ * nearly incompressible bodies: three and more are unstable at a bulk modulus of 500 times the shear modulus, whatever the step. */
 static int order_of(const mpm *s)
 {
     if (s->scene->method.filter_order > 0) return s->scene->method.filter_order;

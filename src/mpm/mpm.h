@@ -136,10 +136,10 @@ floe_status mpm_side_reach(mpm *s);        /* how far points reach at sides that
 floe_status mpm_node_velocity(mpm *s);     /* v_i, walls, contact */
 floe_status mpm_stress_first(mpm *s);      /* USF: stress from v_i^n */
 floe_status mpm_node_force(mpm *s);        /* f_i = -sum V (sigma - p_p - q) grad S + external */
-floe_status
-mpm_share_pressures(mpm *s); /* what points share of bodies that are all but incompressible (mean_strain.h) */
+floe_status mpm_share_pressures(
+    mpm *s); /* whether points share changes of volume, in nearly incompressible bodies (mean_strain.h) */
 floe_status mpm_share_new_pressures(mpm *s); /* the same of the stress that the step has found (USF) */
-floe_status mpm_find_wall_pressures(mpm *s); /* f_i of fluids that give way to light solids (surface/inertia.h) */
+floe_status mpm_find_wall_pressures(mpm *s); /* f_i of implicit wall pressures on light solids (surface/inertia.h) */
 floe_status mpm_edge_force(mpm *s);          /* f_i of the penalty on edges of solids (edge.h) */
 floe_status mpm_begin_motions(mpm *s);       /* rigid motions of the step (motion/motion.h) */
 floe_status mpm_motion_momenta(mpm *s);      /* m_i v_i of their nodes */

@@ -22,7 +22,7 @@
 /* A point with less than this share of its mass is consumed entirely by its reaction: smaller keeps light, unsteady points. */
 #define MPM_BURNT_OUT 1e-3
 
-/* ---- all but incompressible bodies (theory 4.16) ---- */
+/* ---- nearly incompressible bodies (theory 4.16) ---- */
 
 /* Bulk over shear modulus above which the points of a patch of cells share a change of volume (a Poisson's ratio of 0.41). Measured
  * on the thick cylinder: below it that changes the stress by less than a tenth of its error. */
@@ -70,7 +70,7 @@
  * overlaps, or a spring that is not stable. */
 #define MPM_SIDE_HARDENING 0.5
 #define MPM_SIDE_MOST_SLOPE 8.0
-/* Overlap over spacing at which bodies yield that have no yield stress to go by. */
+/* Overlap over spacing at which bodies without a yield stress yield. */
 #define MPM_SIDE_YIELD 1e-3
 /* Gaps of less than this share of a cell are closed: round-off. */
 #define MPM_CLOSED_GAP 1e-6
@@ -82,7 +82,7 @@
  * searched at once: until then its few points strain freely, and its lines would store that (GIMP on the thick cylinder at h = 0.05, where
  * lines needed more mass than forces do: 16 % for 9). */
 #define MPM_EDGE_TRAVEL 0.05
-/* A node of which solids fill less is filled in part; points that do not stand on a lattice leave some of an inner node empty. */
+/* A node that solids fill to less than this is partly filled; points that are not on a lattice leave some of an inner node empty. */
 #define MPM_FULL_NODE 0.95
 /* A node with less than this share of what is filled on both sides of it is outside a body that lies on both. */
 #define MPM_HOLLOW_NODE 0.5

@@ -1,4 +1,4 @@
-/* Steps (mpm_step.c, point_substeps.c). */
+/* The steps of the points (mpm_step.c, point_substeps.c). */
 #ifndef MPM_STEP_H
 #define MPM_STEP_H
 

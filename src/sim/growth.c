@@ -1,5 +1,5 @@
-/* Energy from nothing. Explicit steps beyond their limit, and methods that feed short waves, let energy grow until
- * nothing is left of the answer; numbers may stay finite for long. */
+/* Spurious energy. Explicit steps beyond their limit, and methods that amplify short waves, let energy grow until
+ * the result is useless, while numbers may stay finite for long. */
 #include "sim/sim.h"
 
 #include "base/text.h"
@@ -72,7 +72,7 @@ static fastest find_fastest(const sim *s)
     return f;
 }
 
-static void name_place(const sim *s, const fastest *f, char text[128])
+static void name_fastest_point(const sim *s, const fastest *f, char text[128])
 {
     text[0] = '\0';
     for (int a = 0; a < s->mesh.dim; ++a) text_add(text, 128, "%s%.4g", a ? ", " : "", f->x[a]);
@@ -95,7 +95,7 @@ void sim_describe_growth(const sim *s, char text[SIM_GROWTH_TEXT])
     const ledger *l = &s->ledger;
     const fastest f = find_fastest(s);
     char place[128] = "", remedy[160];
-    name_place(s, &f, place);
+    name_fastest_point(s, &f, place);
     name_remedy(s, remedy);
     (void)snprintf(text, SIM_GROWTH_TEXT,
                    "energy grows without a source: by t = %.6g%s %.3g times what was there at the start and came in is "

@@ -174,7 +174,7 @@ static floe_status needs_no_relaxation(const scene *s, const mesh *m)
         "beside a sharp interface no cell has volume to be relaxed: leave it out, or use interface smeared");
 }
 
-static void name_place(int dim, const double x[3], char *place, size_t size)
+static void name_refused_point(int dim, const double x[3], char *place, size_t size)
 {
     if (dim == 1)
         (void)snprintf(place, size, "%g", x[0]);
@@ -192,7 +192,7 @@ static void middle_of(const mesh *m, const int cell[3], double x[3])
 static floe_status refuse_thin_at(const scene *s, const double x[3])
 {
     char place[64];
-    name_place(s->mesh.dim, x, place, sizeof place);
+    name_refused_point(s->mesh.dim, x, place, sizeof place);
     return fail_key(
         s->ctx, KEY("method", "interface"),
         "sharp: a solid is thinner than a cell at %s, where the gas of its two sides would share it: refine "
@@ -253,7 +253,7 @@ static floe_status refuse_mixed(const scene *s, const mesh *m, int fluid, const 
     char place[64];
     double x[3];
     middle_of(m, cell, x);
-    name_place(m->dim, x, place, sizeof place);
+    name_refused_point(m->dim, x, place, sizeof place);
     return fail_key(s->ctx, KEY("method", "interface"), "sharp: at %s there is another fluid beside %s", place,
                     s->material[fluid].name);
 }
@@ -359,7 +359,7 @@ static floe_status suits_no_sources(const scene *s, const mesh *m)
                              : FLOE_OK;
 }
 
-/* Of the gas before a surface that comes to a side each step lets a share pass only, and steps shrink to nothing. */
+/* Each step lets only a share of the gas between a surface and an approaching side escape, so that the steps would go to zero. */
 static floe_status suits_no_flight_out(const scene *s, const mesh *m)
 {
     char side[16];

@@ -8,15 +8,16 @@
 
 /* Least density of the solid over that of the fluid. The smeared interface gives lighter ones the wrong share of the momentum of
  * their cells: of that which sound brings, 0.115 off at 0.01, 1.3 times as much at 0.001 (docs/results/extreme.md, impedance); with hat functions, GIMP and CPDI the sharp one
- * swings up, in steps a hundred times smaller than sound asks for at 1e-3, however small they are at 1e-4. Where the fluid gives way to the surface (theory 7.6), a disc
- * of 1e-5 of its density rings behind a shock that sets it off at 0.17 of the speed of sound, and at 1e-6 in sound itself; at 1e-4 it does not. */
-static const double least_share = 0.9e-2, least_share_of_yielding = 0.9e-4;
+ * swings up, in steps a hundred times smaller than sound asks for at 1e-3, however small they are at 1e-4. With implicit
+ * wall pressures (theory 7.6) a disc of 1e-5 of the fluid's density oscillates behind a shock that moves it at 0.17 of the speed of sound, and one of 1e-6 in
+ * sound itself; one of 1e-4 does not. */
+static const double least_share = 0.9e-2, least_share_implicit = 0.9e-4;
 
 /* Of a cell: what smears into cells that solids fill, where they are squeezed or their motion spreads over cells, is no neighbour. */
 static const double trace = 0.05;
 
 /* Whether a fluid accelerates it. */
-static bool is_solid(const scene *s, int body)
+static bool is_moved_solid(const scene *s, int body)
 {
     const scene_material *m = &s->material[s->body[body].material];
     return m->kind == MATERIAL_SOLID && m->law && !motion_is_prescribed(&s->body[body].motion);
@@ -27,10 +28,10 @@ static bool is_sharp(const sim *s)
     return s->scene->method.interface == INTERFACE_SHARP;
 }
 
-/* Whether the surface of a body takes a force as its nodes alone tell: with hat functions and GIMP light nodes are accelerated as their points are, and
- * CPDI's domains end at the surface, so that what moves it there is not known before it moves. A plate of 0.1 of the fluid's density is calm with them all the
- * same, one of 0.01 with some places of its surface in a cell is not. */
-static bool yields_as_foreseen(const sim *s, int body)
+/* Whether the nodes' masses alone determine how the surface of a body responds to a force, as the implicit wall pressure assumes. With hat functions and GIMP
+ * light nodes take the acceleration of their points, and CPDI's domains end at the surface, so that the response is not known before the body has moved. A
+ * plate of 0.1 of the fluid's density is stable with them all the same; one of 0.01 is not, for some positions of its surface within a cell. */
+static bool surface_follows_nodes(const sim *s, int body)
 {
     const basis_model *b = s->mpm->basis;
     return motion_is_given(&s->scene->body[body].motion) || (!b->fact.hats && !b->fact.shaped);
@@ -38,7 +39,7 @@ static bool yields_as_foreseen(const sim *s, int body)
 
 static double least_share_of(const sim *s, int body)
 {
-    return is_sharp(s) && yields_as_foreseen(s, body) ? least_share_of_yielding : least_share;
+    return is_sharp(s) && surface_follows_nodes(s, body) ? least_share_implicit : least_share;
 }
 
 static double density_of(const scene *s, int body)
@@ -50,7 +51,7 @@ int lightest_moved_solid(const scene *s)
 {
     int found = -1;
     for (int b = 0; b < s->n_bodies; ++b)
-        if (is_solid(s, b) && (found < 0 || density_of(s, b) < density_of(s, found))) found = b;
+        if (is_moved_solid(s, b) && (found < 0 || density_of(s, b) < density_of(s, found))) found = b;
     return found;
 }
 
@@ -94,7 +95,7 @@ static void mark_body(const sim *s, int body, unsigned char *const *mark)
 static floe_status refuse_light_solid(const sim *s, int body, double fluid)
 {
     const double rho = density_of(s->scene, body);
-    const bool could = least_share_of(s, body) == least_share && rho >= least_share_of_yielding * fluid;
+    const bool could = least_share_of(s, body) == least_share && rho >= least_share_implicit * fluid;
     char why[512];
     (void)snprintf(
         why, sizeof why,
@@ -123,7 +124,7 @@ static floe_status find_fluid_beside(sim *s, int b, unsigned char *const *mark)
 static bool is_light_solid(const sim *s, int b, double fluid)
 {
     const int body = s->mpm->body[b].scene_body;
-    return is_solid(s->scene, body) && density_of(s->scene, body) < least_share_of(s, body) * fluid;
+    return is_moved_solid(s->scene, body) && density_of(s->scene, body) < least_share_of(s, body) * fluid;
 }
 
 /* Checks the bodies that are too light for a fluid of the density `fluid` (kg/m3). */
@@ -164,27 +165,28 @@ bool has_dense_fluid(const sim *s, double share)
     return share * least_ratio(s) < 1.0;
 }
 
-/* The pressure of a step is what the surface's velocity before it makes of the fluid, and the surface has the inertia of the nodes next to it: a layer of
- * fluid that is heavier than these throws it back and forth. Over h/c (density of the solid / of the fluid)^(1/2), at a hundredth of the fluid's density, a surface in
- * the middle of a cell is calm in steps of 0.2 and swings up at 0.28; elsewhere in the cell it bears more. At a CFL number of one sound crosses a cell of equal sides
- * in two steps (ice_limit.c). At equal densities a CFL number of 0.9 is too much there, at twice the density it is not. */
+/* With explicit wall pressures, the pressure of a step follows from the surface's velocity before the step, and the surface has the inertia of the nodes next to
+ * it: a layer of fluid heavier than these nodes makes it oscillate. In units of (h/c) (solid density / fluid density)^(1/2), at a hundredth of the fluid's density, a
+ * surface in the middle of a cell is stable with steps of 0.2 and unstable with 0.28; elsewhere in the cell the limit is higher. At a CFL number of one sound
+ * crosses a cell of equal sides in two steps (ice_limit.c). At equal densities a CFL number of 0.9 is too large, at twice the density it is not. */
 double light_solid_step(const sim *s, double crossing)
 {
     static const double share = 0.35;
-    return is_sharp(s) && !fluids_give_way(s) ? share * crossing * sqrt(least_ratio(s)) : (double)INFINITY;
+    return is_sharp(s) && !wall_pressure_is_implicit(s) ? share * crossing * sqrt(least_ratio(s)) : (double)INFINITY;
 }
 
-/* Up to 1.5 times the density of the fluid: there the bound of light_solid_step acts at the default CFL number (from 2 on down), and what the fluid's impedance adds
- * to the inertia of the nodes, dt A z/m, is a sixteenth to an eighth. Plates between liquids have errors of velocity as large or up to a third smaller with it, in
- * all steps from there down (theory 7.6); heavier solids keep the plain step, which costs less, and their bits. */
-bool fluids_give_way(const sim *s)
+/* For solids of up to 1.5 times the density of the fluid. From a ratio of 2 down, the bound of light_solid_step is active at the default CFL number, and the
+ * fluid's impedance over the inertia of the nodes, dt A z/m, is a sixteenth to an eighth. Velocity errors of plates between liquids are as large or up to a third
+ * smaller with implicit wall pressures (theory 7.6); heavier solids keep the explicit ones, which cost less. */
+bool wall_pressure_is_implicit(const sim *s)
 {
     static const double heaviest = 1.5;
     double range[2];
     if (!is_sharp(s) || sim_solves(s) || !(least_ratio(s) < heaviest)) return false;
     ice_densities(s->ice, range);
     for (int b = 0; b < s->scene->n_bodies; ++b)
-        if (is_solid(s->scene, b) && density_of(s->scene, b) < heaviest * range[1] && !yields_as_foreseen(s, b))
+        if (is_moved_solid(s->scene, b) && density_of(s->scene, b) < heaviest * range[1] &&
+            !surface_follows_nodes(s, b))
             return false;
     return true;
 }

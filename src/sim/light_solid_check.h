@@ -10,9 +10,9 @@
 floe_status light_solid_check(sim *s);
 /* The lightest solid of the scene that fluids move, by its number; -1: there is none. */
 int lightest_moved_solid(const scene *s);
-/* Whether in the next step the pressure of the fluids on sharp surfaces gives way to these (theory 7.6). */
-bool fluids_give_way(const sim *s);
-/* Largest stable time step (s) of a sharp interface whose fluids do not, beside fluid heavier than the solid; `crossing` (s) is that of the
+/* Whether the next step takes the pressure on sharp surfaces at their velocity at the end of the step (theory 7.6). */
+bool wall_pressure_is_implicit(const sim *s);
+/* Largest stable time step (s) of a sharp interface with explicit wall pressures, beside fluid heavier than the solid; `crossing` (s): the step of the
  * cells at a CFL number of one. INFINITY where there is no such solid. */
 double light_solid_step(const sim *s, double crossing);
 /* Whether some fluid has more than this share of the density of the scene's lightest solid. */

@@ -1,6 +1,6 @@
-/* Explicit or implicit pressure, by what the rest of the run is predicted to cost (method.pressure auto): steps, with
- * their growth from the present one, times the cost of a step. It goes by the state and by counts of iterations, never
- * by clocks, so that a run takes the same steps every time. */
+/* Explicit or implicit pressure, by the predicted cost of the rest of the run (method.pressure auto): the number of
+ * steps, with their growth from the present one, times the cost of a step. The prediction uses the state and counts of
+ * iterations, never clocks, so that a run takes the same steps every time. */
 #include "sim/sim.h"
 
 #include <math.h>

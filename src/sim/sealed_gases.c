@@ -37,7 +37,8 @@ floe_status sealed_create(sealed **out, sim *s)
                   .gases = s->ice,
                   .n_lines = n > 0 ? n : s->ice->n_regions,
                   .walls = {.ctx = s->ctx}};
-    sealed_give_way(t, n == 0 && lightest_moved_solid(s->scene) >= 0); /* stages that some step may need are planned */
+    sealed_use_wall_response(t, n == 0 && lightest_moved_solid(s->scene) >=
+                                              0); /* stages that some step may need are planned */
     for (int l = 0; l < t->n_lines; ++l) {
         TRY(create_line(t, &s->mesh, n > 0 ? holder[l] : -1, &t->line[l]));
         if (n == 0) t->line[l].fluid = s->ice->material[l].scene_material;
@@ -60,9 +61,9 @@ void sealed_destroy(sealed **t)
     memory_free(ctx, t);
 }
 
-void sealed_give_way(sealed *t, bool gives_way)
+void sealed_use_wall_response(sealed *t, bool implicit)
 {
-    t->gases->walls = gives_way ? &t->walls : NULL;
+    t->gases->walls = implicit ? &t->walls : NULL;
     mpm_boundary_responds(t->points, t->gases->walls);
 }
 
@@ -86,7 +87,7 @@ static void tell_remedy(context *ctx)
                "%s: sharp ends where solids come to touch each other or a side; use method.interface: smeared", why);
 }
 
-/* A line that cannot be followed is told with what it is: a membrane, or the surface of the solids. */
+/* The message for a boundary that cannot be followed says what it is: a membrane, or the surface of the solids. */
 static floe_status tell_of_line(const sealed *t, const sealed_line *line, floe_status status)
 {
     const scene *s = t->points->scene;
@@ -170,7 +171,7 @@ static floe_status sealed_push_points(sealed *t)
     return FLOE_OK;
 }
 
-/* Where the points have gone, and over which way the pressure has worked. */
+/* The new positions of the points, and the displacements over which the pressure has done work. */
 static floe_status sealed_find_next(sealed *t)
 {
     for (int l = 0; l < t->n_lines; ++l) {

@@ -24,7 +24,7 @@ typedef struct sealed {
     ice *gases;         /* not owned */
     sealed_line line[SCENE_MAX_ENCLOSING];
     int n_lines;
-    wall_response walls; /* how the fluids beside light solids give way (theory 7.6) */
+    wall_response walls; /* response of the pressure on light solids to their motion (theory 7.6) */
     bool nested;         /* it is known which membranes are inside which */
 } sealed;
 
@@ -33,8 +33,8 @@ void sealed_destroy(struct sealed **t);
 /* Initial state of the cells; the points have been seeded. */
 floe_status sealed_initialise(sim *s);
 floe_status sealed_step(sim *s);
-/* Whether in the next step the pressure of the fluids gives way to the surfaces (theory 7.6). */
-void sealed_give_way(sealed *t, bool gives_way);
+/* Whether the next step has implicit wall pressures (theory 7.6). */
+void sealed_use_wall_response(sealed *t, bool implicit);
 /* For implicit steps: finds the cut cells at the current positions, and at the next positions of the points. Errors: as
  * mpm_boundary_vertices, cut_find. */
 floe_status sealed_find_still(sealed *t);

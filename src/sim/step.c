@@ -35,7 +35,7 @@ static floe_status stable_step(sim *s, double *dt, const char **reason)
     return FLOE_OK;
 }
 
-/* The implicit pressure starts with the explicit step, unless told otherwise: how fast a flow from rest will be is not known. */
+/* The implicit pressure starts with the explicit step, unless the deck gives one: the velocity of a flow from rest is not known. */
 static floe_status first_step(sim *s, double *dt, const char **reason)
 {
     const double given = s->scene->time.first_step;
@@ -50,7 +50,7 @@ static floe_status first_step(sim *s, double *dt, const char **reason)
     return FLOE_OK;
 }
 
-/* FLOE_DIVERGED where steps would not get anywhere: so small that no run could take as many, as where each lets only half of what is in the way of it pass. */
+/* FLOE_DIVERGED if the steps are so small that no run could take as many, for example if each step lets only half of the remaining gas escape. */
 static floe_status check_step(const sim *s, double dt, const char *reason)
 {
     static const double share = 1e-13; /* of the time so far */
@@ -77,7 +77,7 @@ static floe_status choose_step(sim *s, double until, double *dt, const char **re
         if (!isnan(t->max_step)) limit_step(dt, reason, t->max_step, "largest step");
     }
     TRY(check_step(s, *dt, *reason));
-    /* The last steps before an output time share what is left, so that none of them is a sliver. */
+    /* The last steps before an output time divide the remaining time, so that none of them is very small. */
     const double left = until - s->time;
     if (*dt >= left)
         limit_step(dt, reason, left, "output time");
@@ -149,7 +149,7 @@ floe_status sim_step(sim *s, double until)
     const char *reason;
     if (s->has_light) TRY(light_solid_check(s));
     TRY(sim_choose_pressure(s));
-    if (s->sealed) sealed_give_way(s->sealed, fluids_give_way(s));
+    if (s->sealed) sealed_use_wall_response(s->sealed, wall_pressure_is_implicit(s));
     TRY(choose_step(s, until, &dt, &reason));
     const bool last = dt == until - s->time;
     const double full = dt;

@@ -6,9 +6,9 @@
 #include <math.h>
 
 static const double round_off = 1e-9; /* what a step may miss a whole number of stable ones by */
-/* Density of the gas over that of the solid up to which there are substeps. A force that lags by a step feeds vibrations of the solid, beside dense
- * gas faster than points and nodes take them away: a disc with the default transfer is calm at 0.2, drifts by 6e-5 of its energy at 0.3 and
- * has four times its energy at 0.5 (docs/results/substeps.md). */
+/* Density of the gas over that of the solid up to which there are substeps. A force that lags by a step amplifies vibrations of the solid, beside
+ * dense gas faster than points and nodes damp them: a disc with the default transfer is stable at 0.2, drifts by 6e-5 of its energy at 0.3 and has
+ * four times its energy at 0.5 (docs/results/substeps.md). */
 static const double densest_gas = 0.2;
 
 /* Why the points of this scene take the cells' step whole, or NULL. */

@@ -8,14 +8,14 @@
 
 enum { POSITION, VELOCITY = MESH_MAX_DIM, STRESS = 2 * MESH_MAX_DIM, VALUES = STRESS + 6 };
 
-/* A point that a tracer goes by. */
+/* A point from which a tracer is computed. */
 typedef struct tracer_point {
     double id;                  /* of the point, as P_ID has it */
     double weight;              /* 1; those of a tracer sum to one */
     double start[MESH_MAX_DIM]; /* m: its position at the start */
-    double now[VALUES];         /* position (m), velocity (m/s), stress (Pa) when last read; NAN: it has gone */
-    int tracer;                 /* of the scene */
-    int body;                   /* of the points */
+    double now[VALUES]; /* position (m), velocity (m/s), stress (Pa) when last read; NAN: it has left the domain */
+    int tracer;         /* of the scene */
+    int body;           /* of the points */
 } tracer_point;
 
 struct tracers {
@@ -23,7 +23,7 @@ struct tracers {
     tracer_point *point; /* by body, then by id, then by tracer */
 };
 
-static const double reach = 1.5;        /* cells: how far points may be that a tracer goes by */
+static const double reach = 1.5;        /* cells: largest distance of the points of a tracer */
 static const double least_pivot = 1e-3; /* of a well-posed fit, over its first pivot */
 
 /* The body of points that body `number` of the scene is; -1: it is on the cells. */

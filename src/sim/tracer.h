@@ -4,7 +4,7 @@
 
 #include "sim/sim.h"
 
-/* What a tracer shows; NAN where points that it goes by have left the domain. */
+/* The values of a tracer; NAN if points from which it is computed have left the domain. */
 typedef struct tracer_value {
     double displacement[MESH_MAX_DIM]; /* m, since the start */
     double velocity[MESH_MAX_DIM];     /* m/s */

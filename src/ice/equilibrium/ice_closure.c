@@ -1,5 +1,4 @@
-/* Storage of the closure of cells of several materials; their equilibrium outside of a step that counts: taken back when a step is
- * rejected, and made anew for output. */
+/* Storage of the closure of cells with several materials. Equilibrium outside of a step: restored when a step is rejected, and computed for output. */
 #include "ice/equilibrium/ice_closure.h"
 #include "ice/state/ice_lists.h"
 

@@ -1,7 +1,7 @@
-/* The equilibrium pressure stage of several materials (theory 2.1; Guilkey et al. 2003, step 2). A row is taken by runs of cells that hold the
- * same materials, so that the laws see cells as they lie: where one is alone the pressure is its law's, where several are the cells of the run are
- * solved side by side. Materials that are absent from a cell get the mean velocity and temperature of those present, and their law's v at p, so
- * that every neighbour finds a sensible value. All of it is done in ghosts too, from the same numbers. */
+/* The equilibrium pressure stage of several materials (theory 2.1; Guilkey et al. 2003, step 2). A row is processed by runs of cells that contain the same
+ * materials, so that laws are evaluated on contiguous cells. With one material the pressure is its law's; with several, the cells of the run are solved side
+ * by side. Materials that are absent from a cell get the mean velocity and temperature of those present, and the v of their law at p, so that every neighbour
+ * finds a sensible value. Ghost cells are treated alike, with the same numbers. */
 #include "base/text.h"
 #include "base/threads.h"
 #include "ice/equilibrium/ice_mixture_row.h"
@@ -24,7 +24,7 @@ static void find_sets(const mixture_row *q)
     }
 }
 
-/* The run from cell i of the row on; of mixed cells no more than are solved at once. */
+/* The run that starts at cell i of the row; of mixed cells at most as many as are solved together. */
 static mixture_run run_from(const mixture_row *q, int i)
 {
     mixture_run run = {.from = q->from + i, .first = i};

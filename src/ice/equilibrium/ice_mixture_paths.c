@@ -17,8 +17,8 @@ const isentrope *ice_choose_path(const mixture_row *q, const mixture_run *run, i
     return path;
 }
 
-/* Near one pressure there is nothing to expand, and heat that has changed hands is to do no work: T is frozen in such cells, as far as the laws
- * bear it, those whose energy is one of temperature alone. */
+/* If the materials nearly have one pressure already, nothing expands, and exchanged heat must not do work: T is frozen in such cells, provided
+ * that the energy of all laws depends on temperature alone. */
 void ice_freeze_near(const mixture_row *q, const mixture_run *run)
 {
     const equilibrium_batch *b = &q->mixed->batch;

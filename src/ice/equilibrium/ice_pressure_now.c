@@ -1,4 +1,4 @@
-/* The pressure of a cell as its state is now: the field of it holds the equilibrium at the start of the last step. */
+/* The pressure of a cell in its present state; the pressure field contains the equilibrium at the start of the last step. */
 #include "ice/equilibrium/ice_closure.h"
 #include "ice/state/ice_materials.h"
 

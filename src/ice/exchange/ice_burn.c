@@ -1,4 +1,4 @@
-/* Solids on points that burn to gas of the cells: where their surface is, and what joins the gas. */
+/* Solids on points that burn to gas on cells: the area of their surface in a cell, and the mass, momentum and energy that the gas gains. */
 #include "ice/exchange/ice_reactions.h"
 
 #include "ice/ice_constants.h"

@@ -1,5 +1,5 @@
-/* Exchange of momentum and heat in mixed cells (theory 2.9; Guilkey et al. 2003, step 10), the heat that the exchange makes
- * (2.8 ii), and what it and the pressure do to materials carried by points (5.1). */
+/* Exchange of momentum and heat in mixed cells (theory 2.9; Guilkey et al. 2003, step 10), the heat of friction (2.8 ii), and the effect of exchange and
+ * pressure on materials carried by points (5.1). */
 #include "ice/exchange/ice_pairs.h"
 
 #include "ice/ice_constants.h"
@@ -97,11 +97,10 @@ static void close_energy(const ice_view *v, ptrdiff_t at, double heat)
     shares_of(v, at, heat, share);
     for (int r = 0; r < v->n_materials && heat < 0.0; ++r) {
         const ice_fluid *m = &v->m[r];
-        const double floor = v->material[r].energy_floor;
         double kinetic_energy = 0.0;
         if (!(m->rho[at] > 0.0)) continue;
         for (int a = 0; a < v->dim; ++a) kinetic_energy += 0.5 * m->ul[a][at] * m->ul[a][at];
-        const double left = m->el[at] + heat * share[r] / m->rho[at] - (isnan(floor) ? 0.0 : floor);
+        const double left = m->el[at] + heat * share[r] / m->rho[at] - ice_least_energy(v, r);
         usable = usable && left > ICE_THERMAL_SHARE * kinetic_energy;
     }
     v->owed[at] = usable ? 0.0 : heat;
@@ -144,7 +143,7 @@ static void relax_by_laws(const ice *s, const ice_view *v, ptrdiff_t at, mixed_c
     ice_relax_spot(s, v, c->inertia, &spot, s->dt * c->volume_ratio, s->pairs->slips ? gradient : NULL, c->u);
 }
 
-/* What the fluids of a cell have lost to bodies with a prescribed motion, per volume: each has it by its share of their volume. */
+/* Momentum per volume that the fluids of a cell have lost to bodies with a prescribed motion, divided in proportion to their volumes. */
 static void give_prescribed(const ice_view *v, ptrdiff_t at, double volume, const mixed_cell *c)
 {
     double filled = 0.0;

@@ -97,21 +97,14 @@ static void add_driven_apart(pair_run *q, int axis)
     }
 }
 
-/* Least energy (J/kg), 0 where the law's depends on density. */
-static double floor_of(const pair_run *q, int r)
-{
-    const double floor = q->v->material[r].energy_floor;
-    return isnan(floor) ? 0.0 : floor;
-}
-
-/* Friction heats by volume fraction. What closes the energy of a cell goes by rho T, so that none is cooled more than another, the heat of a
- * shock to dispersed fluids by theta kappa, as their own compression has it; where one had less than nothing left, or next to nothing beside its
- * motion, it stays owed. */
+/* Heat of friction is divided by volume fraction. The heat that closes the energy of a cell is divided by rho T, so that none is cooled more
+ * than another, the heat of a shock in dispersed fluids by theta kappa, as their own compression; if a fluid would be left with negative energy,
+ * or with next to none beside its kinetic energy, the heat stays owed. */
 static void deposit_friction_rows(const pair_run *q)
 {
     const ice_fluid *m0 = &q->v->m[0], *m1 = &q->v->m[1];
     const double *T0 = m0->T + q->from, *T1 = m1->T + q->from;
-    const double floor0 = floor_of(q, 0), floor1 = floor_of(q, 1);
+    const double floor0 = ice_least_energy(q->v, 0), floor1 = ice_least_energy(q->v, 1);
     const double *rho0 = m0->rho + q->from, *rho1 = m1->rho + q->from;
     const double *theta0 = m0->theta + q->from, *theta1 = m1->theta + q->from;
     const double *kappa0 = m0->kappa + q->from, *kappa1 = m1->kappa + q->from;

@@ -1,5 +1,5 @@
-/* What each pair of materials exchanges at a place: constants, laws that depend on the state there, and the frame in which a pair slips
- * (theory 2.9). Scenes whose coefficients are constants and that have no slip never come here after they are resolved. */
+/* Exchange coefficients of each pair of materials in a cell: constants, laws that depend on the state there, and the frame in which a pair slips (theory
+ * 2.9). Scenes with constant coefficients and without slip do not use this file during the step. */
 #include "ice/exchange/ice_pairs.h"
 #include "coupling/exchange_law.h"
 
@@ -59,7 +59,7 @@ static floe_status resolve_pair(ice *s, const scene_exchange *e)
 }
 
 /* A liquid without viscosity slips along a solid, unless the deck says otherwise. A gas does not: in the cells of an oblique wall it is so light
- * that the pressure which the wall bears drives it along the surface by the error of the normal (pressurised cylinder: it diverges). */
+ * that the pressure on the wall drives it along the surface, through the error of the normal (the pressurised cylinder diverges). */
 static bool slips_by_default(const ice *s, int r, int q)
 {
     const ice_material *fluid = &s->material[s->material[r].points ? q : r];

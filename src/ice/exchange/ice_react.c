@@ -1,7 +1,6 @@
-/* Mass exchange (step 4 of Guilkey et al. 2003; theory 2.3, 2.10): what reactions turn over in the step, the pressure
- * that new volume makes, and the sources of mass, momentum, energy and volume. The product gets the reactant's momentum
- * and energy and the heat; the sums over materials close to round-off. What solids on points lose, the points say
- * (ice_burn.c, mpm/state/burn.c). */
+/* Mass exchange (step 4 of Guilkey et al. 2003; theory 2.3, 2.10): the mass that reactions convert in the step, the pressure due to its new volume, and the
+ * sources of mass, momentum, energy and volume. The product gets the reactant's momentum and energy, and the heat; sums over materials are conserved to
+ * round-off. For solids on points the losses come from the points (ice_burn.c, mpm/state/burn.c). */
 #include "ice/exchange/ice_reactions.h"
 #include "ice/state/ice_tiles.h"
 

@@ -92,8 +92,8 @@ typedef struct donors {
     double drift[3], lo, hi;
 } donors;
 
-FLOE_ALWAYS_INLINE donors donors_of(const ice_advect_buffers *w, const ice_view *v, int r, int slab, const int dim,
-                                    const bool multi)
+FLOE_ALWAYS_INLINE donors advection_donors(const ice_advect_buffers *w, const ice_view *v, int r, int slab,
+                                           const int dim, const bool multi)
 {
     const ice_fluid *m = &v->m[r];
     const int slow = dim - 1, nq = ADVECT_COUNT(dim, multi), ring = (slab + 2) & 1;
@@ -258,7 +258,7 @@ FLOE_ALWAYS_INLINE void find_face_fluxes(const faces *f, ptrdiff_t t, const int 
         f->flux[1 + i][t] = w * content;
         if (i < dim) square += content * content;
     }
-    /* A slab that is all but empty holds momentum by round-off alone: of its donor's mass M, not of its own. */
+    /* The momentum of a nearly empty slab is round-off: it is taken with the donor's mass M, not with that of the slab. */
     f->flux[1 + nq][t] = 0.5 * w * square / (mass + ICE_ROUND_OFF * most(donor[0], 0.0) + ICE_TINY);
 }
 
@@ -409,7 +409,7 @@ FLOE_ALWAYS_INLINE void find_donors(ice_advect_buffers *w, const ice_advect_job 
     const ice_view *v = job->v;
     centre_slab(w, v, job->material, dim > 1 ? slab + 1 : 0, dim, multi);
     if (multi) ice_advect_clip(w, job, slab);
-    const donors d = donors_of(w, v, job->material, slab, dim, multi);
+    const donors d = advection_donors(w, v, job->material, slab, dim, multi);
     for (int k = ice_slab_first(dim, 1); k < ice_slab_last(v->b, dim, 1); ++k) {
         const ptrdiff_t row = ice_slab_row(v->b, dim, k);
         donor_row(&d, row - 1, row + v->b->n[0] + 1, dim, multi);

@@ -1,6 +1,6 @@
-/* What is carried out of cells at interfaces (ice_interface.c): of each fluid its own state, as it is in the cell, in the volume that the sharp profile
- * gives it. What stays is of the same state even where next to nothing does: what leaves has the values after the Lagrangian step, not those halfway
- * to it. Donors have no gradients there; mass, momentum, energy and volume through a face are those of a flat cell times F_THETA/theta. */
+/* Advection out of cells at interfaces (ice_interface.c): each fluid leaves with its own state in the cell, in the volume that the sharp profile gives it.
+ * Donors have no gradients there, and the state that leaves is that after the Lagrangian step, not halfway to it, so that the remainder has the same state
+ * even if next to nothing remains. Mass, momentum, energy and volume through a face are those of a uniform cell times F_THETA/theta. */
 #include "ice/flux/ice_advect.h"
 
 /* The row's marked cells, and its (j, k). */

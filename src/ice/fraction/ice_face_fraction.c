@@ -1,4 +1,4 @@
-/* Volume fractions at faces, those of the donor slabs, and the volume flux that they make (theory 2.3). */
+/* Volume fractions at faces, from the donor slabs, and the volume flux that follows (theory 2.3). */
 #include "ice/fraction/ice_fraction.h"
 
 #include "base/choice.h"
@@ -50,7 +50,7 @@ typedef struct donors {
     ptrdiff_t step, aside[2];
 } donors;
 
-FLOE_ALWAYS_INLINE donors donors_of(const ice_view *v, const ice_fluid *m, int axis, const int dim)
+FLOE_ALWAYS_INLINE donors fraction_donors(const ice_view *v, const ice_fluid *m, int axis, const int dim)
 {
     donors d = {.theta = m->theta,
                 .limiter = v->limiter,
@@ -88,7 +88,7 @@ FLOE_ALWAYS_INLINE void theta_row(const ice_view *v, int r, int axis, int j, int
     const ice_fluid *m = &v->m[r];
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
     double *restrict out = m->ft[axis], *restrict flux = v->flux[axis];
-    const donors d = donors_of(v, m, axis, dim);
+    const donors d = fraction_donors(v, m, axis, dim);
     const int n = v->b->n[0] + (axis == 0);
     const ice_span near = ice_near(v, m, j, k, axis == 0, 0, n);
     for (ptrdiff_t R = base; R < base + n; ++R) flux[R] = r == 0 ? 0.0 : flux[R];

@@ -1,11 +1,13 @@
-/* Interfaces between fluids that do not mix. Where a cell lies at one, the volume that leaves it is not cut out of a linear profile, which widens with
- * every cell that it is carried, but out of a sharp one (THINC: F. Xiao, Y. Honma, T. Kono, Int. J. Numer. Methods Fluids 48 (2005) 1023; in several
- * dimensions F. Xiao, S. Ii, C. Chen, J. Comput. Phys. 230 (2011) 7086): along an axis, x from 0 to 1 through the cell,
- *     theta(x) = 1/2 (1 + s tanh beta (x - d)),    s the sign of the rise, d from the cell's mean,
- * and the slab has its mean. What leaves is of the pure states of the cell (ice_interface_flux.c), so that pressure and velocity do not see it.
- * All faces of a cell together give no more of a fluid than the cell has.
+/* Interfaces between immiscible fluids. In a cell at an interface, the volume that leaves is taken from a sharp profile, since a linear profile widens with
+ * every cell that it crosses (THINC: F. Xiao, Y. Honma, T. Kono, Int. J. Numer. Methods Fluids 48 (2005) 1023; in several dimensions F. Xiao, S. Ii, C. Chen,
+ * J. Comput. Phys. 230 (2011) 7086): along an axis, x from 0 to 1 through the cell,
  *
- * Bubbly mixtures are no interfaces: within two cells the fraction must change by more than a half. */
+ *     theta(x) = 1/2 (1 + s tanh beta (x - d)),    s the sign of the slope, d from the mean of the cell,
+ *
+ * and the slab has the mean of this profile over it. The fluids leave with their pure states in the cell (ice_interface_flux.c), so that advection changes
+ * neither pressure nor velocity. All faces of a cell together take no more of a fluid than the cell contains.
+ *
+ * Bubbly mixtures are not interfaces: within two cells the volume fraction must change by more than a half. */
 #include "ice/fraction/ice_fraction.h"
 #include "ice/ice_constants.h"
 #include "ice/sides/ice_sides.h"
@@ -34,7 +36,7 @@ static bool at_interface(const ice_view *v, ptrdiff_t at)
     return false;
 }
 
-static void mark_row(const ice_view *v, double *found, ptrdiff_t base)
+static void mark_interface_row(const ice_view *v, double *found, ptrdiff_t base)
 {
     for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at)
         found[at] = v->mixed[at] > 1.0 && at_interface(v, at) ? 1.0 : 0.0;
@@ -57,7 +59,7 @@ floe_status ice_find_interfaces_of(ice *s, const ice_region *g)
         double *found = field_get(s->domain->fields[v.b->id], C_INTERFACE, g->number, 0);
         const ice_rows q = ice_rows_of(v.b, -1, 0);
 #pragma omp parallel for schedule(static)
-        for (int row = 0; row < q.n; ++row) mark_row(&v, found, ice_row_start(v.b, q, row));
+        for (int row = 0; row < q.n; ++row) mark_interface_row(&v, found, ice_row_start(v.b, q, row));
     }
     ice_spread_interfaces(s, g);
     return FLOE_OK;

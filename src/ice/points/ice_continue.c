@@ -1,13 +1,11 @@
 /* The pressure in cells that a solid fills (theory 5.3, 5.4).
  *
- * In a cell that a solid all but fills, the mean stress cancels from the balance: the points carry +p_p I, the cells
- * -theta grad P*. What p is there does not matter, but how smooth it is does, since one is differenced on points, the
- * other on faces, and they cancel only to truncation error. The solid's own bulk pressure serves badly: in tension it
- * falls from the fluid's pressure to nothing within a cell of the surface. So p is continued into the solid as smoothly
- * as can be, harmonically: each such cell takes the mean of its neighbours, one sweep a step from where the last step
- * left it. (Measured on the pressurised cylinder, eq. 13 at h = 0.1, 0.05, 0.025: 7.0, 3.8, 2.5 % with the bulk
- * pressure, 6.1, 2.1, 1.6 % continued; more sweeps, or a limit of 0.001 or 0.05 on the fluid's fraction, change the last figure by
- * less than a tenth of it.) */
+ * In a cell that a solid nearly fills, the pressure cancels from the balance: the points carry +p_p I, the cells -theta grad P*. Its value there does not
+ * matter, but its smoothness does, since one term is differenced on points and the other on faces, and they cancel only to truncation error. The solid's own
+ * bulk pressure is not smooth: in tension it falls from the fluid's pressure to zero within a cell of the surface. So p is continued into the solid
+ * harmonically: each such cell takes the mean of its neighbours, one sweep a step, starting from the last step. (Measured on the pressurised cylinder, eq. 13
+ * at h = 0.1, 0.05, 0.025: 7.0, 3.8, 2.5 % with the bulk pressure, 6.1, 2.1, 1.6 % continued; more sweeps, or a limit of 0.001 or 0.05 on the fluid's
+ * fraction, change the last figure by less than a tenth of it.) */
 #include "base/memory.h"
 #include "ice/ice_constants.h"
 #include "ice/points/ice_points.h"

@@ -84,7 +84,7 @@ static double least_about(const ice *s, int line, int place, const int cell[3])
     return least;
 }
 
-/* All that a line encloses lies in what another does. */
+/* Whether everything that a boundary encloses lies inside another one. */
 static bool lies_in(const ice *s, int line, int other)
 {
     const mesh *m = s->mesh;
@@ -101,7 +101,7 @@ static bool lies_in(const ice *s, int line, int other)
     return less > 0.0;
 }
 
-/* The innermost of those about it is the one that lies in all others about it. */
+/* The innermost of the boundaries around it is the one that lies inside all others around it. */
 void ice_seal_nest(ice *s)
 {
     for (int l = 0; l < s->seal.n_lines; ++l) s->seal.line[l].within = -1;

@@ -113,15 +113,21 @@ void ice_enter_weight(const ice *s, const ice_member *lead, const double *sum, d
  * of block id - 1. */
 bool ice_next_seen(const ice *s, const int cell[3], int *id, ptrdiff_t *at);
 
-/* Way to cell c of those around, along axis 0 first. */
-static inline ptrdiff_t ice_way_to(const block *b, int c)
+/* Step of the index to cell c of those around, along axis 0 first. */
+static inline ptrdiff_t ice_step_to(const block *b, int c)
 {
-    ptrdiff_t way = (c % 3 - 1) * b->stride[0];
-    if (b->dim > 1) way += (c / 3 % 3 - 1) * b->stride[1];
-    return b->dim > 2 ? way + (c / 9 - 1) * b->stride[2] : way;
+    ptrdiff_t step = (c % 3 - 1) * b->stride[0];
+    if (b->dim > 1) step += (c / 3 % 3 - 1) * b->stride[1];
+    return b->dim > 2 ? step + (c / 9 - 1) * b->stride[2] : step;
 }
-/* What is left in merged cells is no state: asks for a smaller step. */
+/* Merged cells have no valid state left: requests a smaller step. */
 floe_status ice_bad_merged_cells(const ice *s, const ice_merged_cells *p, int merged, double e);
+
+/* The state of a gas in cells without it, for the differences near the boundary (ice_extrapolate.c). */
+floe_status ice_extrapolate_states(ice *s, const ice_region *g);
+/* Advection of a region, and its first states, after which the members of a merged cell have one state (ice_merged_contents.c). */
+floe_status ice_advect_merged(ice *s, const ice_region *g);
+floe_status ice_start_merged(ice *s, const ice_region *g);
 
 /* ---- cells that several fluids share (ice_merged_fluids.c, ice_merged_flow.c) ---- */
 

@@ -1,5 +1,5 @@
-/* What flows out of merged cells that several fluids share, and what the step does to their velocities and energies: the
- * sums of ice_merged_step.c among the fluids, as ice_sources.c has them of whole cells (theory 2.6, 2.8 i, 7.2). */
+/* Fluxes out of merged cells that several fluids share, and the change of their velocities and energies in the step: the sums of ice_merged_step.c divided
+ * among the fluids, as ice_sources.c does for whole cells (theory 2.6, 2.8 i, 7.2). */
 #include "ice/sealed/ice_merged_cells.h"
 
 #include "ice/ice_constants.h"

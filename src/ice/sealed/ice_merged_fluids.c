@@ -1,6 +1,6 @@
-/* States of merged cells that several fluids share (ice_merged_cells.h; theory 7.2). Densities are those of what is open, as of one
- * fluid; all members of merged cells have one state. After a step what the members have together, by the volume that
- * each has open by then, is what is merged anew: no member gives more of a fluid than they have together. */
+/* States of merged cells that several fluids share (ice_merged_cells.h; theory 7.2). Densities refer to the open volume, as for one fluid; all members of a
+ * merged cell have one state. After a step the contents of the members are summed and divided in proportion to their new open volumes. No member gives more
+ * of a fluid than the merged cell contains. */
 #include "ice/sealed/ice_merged_cells.h"
 
 #include "base/memory.h"
@@ -37,13 +37,13 @@ void ice_extrapolate_fluids(const ice_view *v, ptrdiff_t at, double least)
 {
     const int around = v->b->dim == 1 ? 3 : v->b->dim == 2 ? 9 : 27;
     double n = 0.0;
-    for (int c = 0; c < around; ++c) n += v->shock[at + ice_way_to(v->b, c)] >= least;
+    for (int c = 0; c < around; ++c) n += v->shock[at + ice_step_to(v->b, c)] >= least;
     if (n == 0.0) return;
     for (int r = 0; r < v->n_materials; ++r) {
         const ice_fluid *m = &v->m[r];
         double rho = 0.0, e = 0.0, vol = 0.0, u[3] = {0.0};
         for (int c = 0; c < around; ++c) {
-            const ptrdiff_t from = at + ice_way_to(v->b, c);
+            const ptrdiff_t from = at + ice_step_to(v->b, c);
             if (!(v->shock[from] >= least)) continue;
             rho += m->rho[from];
             e += m->rho[from] * m->e[from];
@@ -287,7 +287,7 @@ static bool mend_fluid(const remains *q)
     return true;
 }
 
-/* False where no state can be made of what is left. */
+/* False if the remaining mass and energy are no valid state. */
 static bool settle_fluid(const remains *q, double all)
 {
     double e;
@@ -428,8 +428,8 @@ static bool is_unlike(const ice *s, const ice_member *m, const ice_member *lead)
     return false;
 }
 
-/* Which cells are merged depends on what they hold, and the last step could only go by what they held before it: those that
- * come together now are merged now. */
+/* Which cells are merged depends on their contents, and in the last step on those before it: cells that belong together now
+ * are merged now. */
 floe_status ice_remerge_fluids(ice *s, const ice_region *g)
 {
     ice_merged_cells *p = &s->sealing->now[g->number];

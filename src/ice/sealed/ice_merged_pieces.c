@@ -1,6 +1,5 @@
-/* Pieces of boundaries (ice_merged_pieces.h), and how the pressure on them gives way to their motion (theory 7.6): the
- * merged cells take the change of pressure that goes with the motion of the step, found with the inertia of what is
- * behind the pieces (coupling/wall_response.h). */
+/* Pieces of boundaries (ice_merged_pieces.h), and the response of the pressure on them to their motion in the step (theory 7.6):
+ * merged cells take the change of pressure that is found with the inertia behind the pieces (coupling/wall_response.h). */
 #include "ice/sealed/ice_merged_pieces.h"
 
 #include "coupling/wall_response.h"
@@ -59,7 +58,7 @@ double ice_along_area(const ice_piece_walk *w, const double *vertex)
 }
 
 /* What the increment of ice_merged_step.c makes of more flux. */
-static void set_cell(const ice *s, const ice_merged_cells *p, int merged, wall_cell *out)
+static void set_wall_cell(const ice *s, const ice_merged_cells *p, int merged, wall_cell *out)
 {
     const ice_member *lead = &p->member[p->lead[merged]];
     const ice_view *v = ice_member_view(s, lead);
@@ -79,7 +78,7 @@ static floe_status add_region(ice *s, const ice_region *g)
     const int first = s->walls->n_cells;
     ice_seal_views(s, g);
     TRY(wall_response_add_cells(s->walls, p->count));
-    for (int k = 0; k < p->count; ++k) set_cell(s, p, k, &s->walls->cell[first + k]);
+    for (int k = 0; k < p->count; ++k) set_wall_cell(s, p, k, &s->walls->cell[first + k]);
     for (ice_piece_walk w = ice_first_piece(s, p); ice_next_piece(&w);) {
         const int cell = first + w.member->merged;
         if (!(s->walls->cell[cell].stiffness > 0.0)) continue;
@@ -100,8 +99,8 @@ floe_status ice_merged_response(ice *s)
     return FLOE_OK;
 }
 
-/* Takes the changes of pressure that have been found. */
-floe_status ice_sealed_give_way(ice *s)
+/* Adds the changes of wall pressure, which the solids have found, to the cells and faces. */
+floe_status ice_sealed_wall_pressure(ice *s)
 {
     const wall_cell *cell = s->walls->cell;
     for (int n = 0; n < s->n_regions; ++n) {

@@ -28,7 +28,7 @@ ice_merged_cells *ice_merged_cells_of(const ice *s, const ice_region *g);
 /* Speed of sound (m/s) of all fluids of a cell together. */
 double ice_merged_sound(const ice_view *v, ptrdiff_t at);
 
-/* Writes to s->walls how the pressures of merged cells give way to the boundaries (theory 7.6). Errors: FLOE_NO_MEMORY. */
+/* Writes to s->walls the response of the pressures of merged cells to the motion of the boundaries (theory 7.6). Errors: FLOE_NO_MEMORY. */
 floe_status ice_merged_response(ice *s);
 
 #endif

@@ -1,15 +1,13 @@
-/* The step of merged cells (ice_merged_cells.h): the pressure increment of theory 2.3 and the Lagrangian values of 2.6
- * and 2.8, for cells with partly closed faces and a moving wall. The boundary is a wall at the pressure P of the merged
- * cells:
+/* The step of merged cells (ice_merged_cells.h): the pressure increment of theory 2.3 and the Lagrangian values of 2.6 and 2.8, for cells with partly closed
+ * faces and a moving wall. The pressure on the wall is P of the merged cells:
  *
  *     dP = -(dt/V) [sum_f A_f u* + sum_w A_w . v] / S                             V, A_f: what is open
  *     M du = -dt [sum_f A_f (P* - P)]                                            since sum_f A_f + sum_w A_w = 0
  *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the displacement of the wall in the step
  *
- * Under gravity P is linear in the merged cells: dP has the value at their centre, the other sums that at the face or
- * piece, so that they include the weight of the cells (ice_merged_weight.c). A viscous fluid sticks to it: over half a cell it drags the
- * wall with theta mu |A_w| (u - v)/(h/2), and is dragged as much. No heat passes. Where there is no gas on the other side, the reference
- * pressure pushes on the wall from there. */
+ * Under gravity P is linear within the merged cells: dP has the value at their centre, the other sums have that at the face or piece, so that they include
+ * the weight of the cells (ice_merged_weight.c). A viscous fluid sticks to the wall: the shear force over half a cell, theta mu |A_w| (u - v)/(h/2), acts on
+ * wall and fluid in opposite directions. No heat crosses the wall. Where there is no gas on its other side, the reference pressure acts there. */
 #include "ice/sealed/ice_merged_cells.h"
 #include "ice/sealed/ice_merged_pieces.h"
 #include "ice/sealed/ice_wall_flow.h"
@@ -284,7 +282,7 @@ static void add_drag(const ice_piece_walk *w, const piece_force *f)
     }
 }
 
-static void add_exact_sources(const ice *s, ice_merged_cells *p)
+static void add_merged_sources(const ice *s, ice_merged_cells *p)
 {
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
@@ -403,7 +401,7 @@ void ice_merged_sources(const ice *s, const ice_region *g)
     ice_seal_views(s, g);
     keep_elsewhere(s);
     ice_clear_merged(p);
-    add_exact_sources(s, p);
+    add_merged_sources(s, p);
     enter_surroundings(s, g);
     if (g->n > 1)
         ice_advance_fluids(s, p);

@@ -1,7 +1,6 @@
-/* Gravity in merged cells (ice_merged_cells.h; theory 7.4), and gas at rest between walls. Merged cells have one density and one pressure, that at the
- * centroid of their open volume; away from there it is P + rho g . (x - centre), whose forces on faces and pieces add up to their
- * weight (Gauss). At the centres of its cells that is what the stages of whole cells ask for, whose differences then
- * balance as those of a plain column do (theory 2.4). */
+/* Gravity in merged cells (ice_merged_cells.h; theory 7.4), and gas at rest between walls. Merged cells have one density, and one pressure P at the centroid
+ * of their open volume; elsewhere in them the pressure is P + rho g . (x - centroid), whose forces on faces and pieces add up to their weight (Gauss). The
+ * stages of whole cells use the pressure at the centres of cells, so that their differences balance as those of a plain column do (theory 2.4). */
 #include "ice/sealed/ice_merged_cells.h"
 #include "ice/state/ice_fluid_state.h"
 
@@ -78,7 +77,7 @@ bool ice_next_seen(const ice *s, const int cell[3], int *id, ptrdiff_t *at)
 }
 
 /* Sets the pressure of a cell in its block, and in those that see it as a ghost. */
-static void set_pressure(const ice *s, const ice_member *m, double p)
+static void set_cell_pressure(const ice *s, const ice_member *m, double p)
 {
     ptrdiff_t at;
     for (int id = 0; ice_next_seen(s, m->cell, &id, &at);) s->sealing->view[id - 1].p[at] = p;
@@ -95,7 +94,7 @@ void ice_merged_lift(const ice *s, const ice_region *g)
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
-        set_pressure(s, m, p->sum[(size_t)m->merged * MERGED_SUMS] + ice_merged_rise(s, p, m, centre));
+        set_cell_pressure(s, m, p->sum[(size_t)m->merged * MERGED_SUMS] + ice_merged_rise(s, p, m, centre));
     }
 }
 

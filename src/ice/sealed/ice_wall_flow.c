@@ -1,12 +1,12 @@
-/* The flow beside embedded boundaries (ice_wall_flow.h; theory 7.7). In every cell that a boundary cuts, and in covered ones beside them, a
- * polynomial of the second degree is fitted to the velocities about it by least squares,
+/* The flow beside embedded boundaries (ice_wall_flow.h; theory 7.7). In every cell that a boundary cuts, and in covered cells beside these, a polynomial of
+ * second degree is fitted by least squares to the velocities in the neighbourhood,
  *
  *     u(x) = u_0 + P(x),    sum_i w_i |P(x_i) - (u_i - u_0)|^2 = min,    w = share / (1/4 + |x_i - x_0|^2/h^2)^2,
  *
- * of fluid at the centroids of what is open, and of the boundary at the middle of its pieces. Values of what is beyond a thin wall are left out. The
- * fit has no say over a state of its own: a cell's velocity is taken from its centroid to its centre by the fit's difference, and the
- * gradient at a piece has the fit's miss at the boundary less that at the centroid over their distance. So each cell feels its own drag, whatever the
- * fit smooths. */
+ * those of the fluid at the centroids of open volumes, and those of the boundary at the middle of its pieces. Values beyond a thin wall are left out. The fit
+ * does not replace the state of the cell: the velocity is moved from centroid to centre by the difference of the fit between them, and the gradient at a
+ * piece is corrected by the residual of the fit at the boundary less that at the centroid, over their distance. So each cell feels the drag of its own
+ * velocity, whatever the fit smooths. */
 #include "ice/sealed/ice_wall_flow.h"
 
 #include "base/memory.h"
@@ -98,7 +98,7 @@ static floe_status add_fit(ice *s, const ice_region *g, ice_wall_flow *w, const 
 
 /* Another cell by steps along the axes, around periodic sides; false beyond the others. shift: m, of its place from where it
  * seems to be. */
-static bool step_to(const mesh *m, const int from[3], const int step[3], int cell[3], double shift[3])
+static bool find_cell_at(const mesh *m, const int from[3], const int step[3], int cell[3], double shift[3])
 {
     for (int a = 0; a < 3; ++a) {
         cell[a] = from[a] + step[a];
@@ -138,7 +138,7 @@ static floe_status add_cells(ice *s, const ice_region *g, const ice_merged_cells
         double shift[3];
         if (!(p->member[k].open > 0.0)) continue;
         for (int n = 0; next_step(s->mesh->dim, 1, &n, step);) {
-            if (!step_to(s->mesh, p->member[k].cell, step, cell, shift)) continue;
+            if (!find_cell_at(s->mesh, p->member[k].cell, step, cell, shift)) continue;
             const int fit = w->fit_of[cut_index(s->mesh, cell)];
             if (fit < 0 && ice_open_cell(s, g->number, SEAL_NOW, cell) == 0.0) TRY(add_fit(s, g, w, cell, k));
             if (fit >= 0 && fit < p->n && !(p->member[fit].open > 0.0) && w->cell[fit].host == fit)
@@ -222,7 +222,7 @@ static void near_wall(const mesh *m, const ice_wall_flow *w, fit_cell *f)
     int step[3], cell[3];
     double shift[3];
     for (int n = 0; next_step(m->dim, AROUND, &n, step);) {
-        if (!step_to(m, f->cell, step, cell, shift)) continue;
+        if (!find_cell_at(m, f->cell, step, cell, shift)) continue;
         const int fit = w->fit_of[cut_index(m, cell)];
         for (int k = fit < 0 ? -1 : w->first[fit]; k >= 0; k = w->sample[k].next) {
             const wall_sample *q = &w->sample[k];
@@ -327,7 +327,7 @@ static void solve_squares(squares *q, int dim, double term[3][TERMS])
     }
 }
 
-/* Velocity of fluid r in a cell; returns what is open of the cell, 0 where there is none of the fluid. */
+/* Velocity of fluid r in a cell; returns the open fraction of the cell, 0 where there is none of the fluid. */
 static double state_in(const ice *s, int r, const int cell[3], double u[3])
 {
     const ice_view *v = &s->sealing->view[mesh_block_of(s->mesh, cell)];
@@ -337,13 +337,14 @@ static double state_in(const ice *s, int r, const int cell[3], double u[3])
     return m->rho[at] > 0.0 ? m->open[at] : 0.0;
 }
 
-static void add_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, int r, const double u0[3], squares *q)
+static void add_wall_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, int r, const double u0[3],
+                           squares *q)
 {
     const mesh *m = s->mesh;
     int step[3], cell[3];
     double shift[3], x[3] = {0.0}, u[3] = {0.0};
     for (int n = 0; next_step(m->dim, AROUND, &n, step);) {
-        if (!step_to(m, f->cell, step, cell, shift)) continue;
+        if (!find_cell_at(m, f->cell, step, cell, shift)) continue;
         const double open = state_in(s, r, cell, u);
         if (!(open > 0.0)) continue;
         const int fit = w->fit_of[cut_index(m, cell)];
@@ -363,7 +364,7 @@ static void add_walls(const mesh *m, const ice_wall_flow *w, const fit_cell *f, 
     for (int a = 0; a < m->dim; ++a) across = a == 0 ? m->h[a] : least(across, m->h[a]);
     const double area = m->dim == 1 ? 1.0 : m->dim == 2 ? across : across * across;
     for (int n = 0; next_step(m->dim, AROUND, &n, step);) {
-        if (!step_to(m, f->cell, step, cell, shift)) continue;
+        if (!find_cell_at(m, f->cell, step, cell, shift)) continue;
         const int fit = w->fit_of[cut_index(m, cell)];
         for (int k = fit < 0 ? -1 : w->first[fit]; k >= 0; k = w->sample[k].next) {
             const wall_sample *p = &w->sample[k];
@@ -376,7 +377,7 @@ static void add_walls(const mesh *m, const ice_wall_flow *w, const fit_cell *f, 
     }
 }
 
-static double sum_of(const double t[TERMS], const double term[TERMS])
+static double sum_terms(const double t[TERMS], const double term[TERMS])
 {
     double sum = 0.0;
     for (int i = 0; i < TERMS; ++i) sum += t[i] * term[i];
@@ -389,12 +390,12 @@ static void fit_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, i
     double t[TERMS];
     memset(out, 0, sizeof *out);
     (void)state_in(s, r, w->cell[f->host].cell, out->u);
-    add_fluid(s, w, f, r, out->u, &q);
+    add_wall_fluid(s, w, f, r, out->u, &q);
     if (q.samples <= s->mesh->dim) return;
     add_walls(s->mesh, w, f, out->u, &q);
     solve_squares(&q, s->mesh->dim, out->term);
     terms_at(s->mesh, f, f->centroid, t);
-    for (int a = 0; a < s->mesh->dim; ++a) out->miss[a] = -sum_of(t, out->term[a]);
+    for (int a = 0; a < s->mesh->dim; ++a) out->miss[a] = -sum_terms(t, out->term[a]);
 }
 
 /* ---- what it gives ---- */
@@ -409,7 +410,7 @@ static void store_centre(const ice *s, const ice_wall_flow *w, const fit_cell *f
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, f->cell[a]);
     terms_at(s->mesh, f, x, t);
     for (int a = 0; a < s->mesh->dim; ++a)
-        v->m[r].centred[a][at] = of->u[a] + sum_of(t, of->term[a]) + (open ? of->miss[a] : 0.0);
+        v->m[r].centred[a][at] = of->u[a] + sum_terms(t, of->term[a]) + (open ? of->miss[a] : 0.0);
 }
 
 static void copy_velocities(const ice *s)
@@ -458,8 +459,8 @@ static void gradient_at(const ice *s, const fit_cell *f, const fluid_fit *of, co
     terms_at(m, f, w->x, t);
     slopes_at(m, f, w->x, slope);
     for (int a = 0; a < m->dim; ++a) {
-        const double rest = of->miss[a] - (w->v[a] - of->u[a] - sum_of(t, of->term[a]));
-        for (int b = 0; b < m->dim; ++b) G[a][b] = sum_of(slope[b], of->term[a]) - rest / away * w->area[b] / size;
+        const double rest = of->miss[a] - (w->v[a] - of->u[a] - sum_terms(t, of->term[a]));
+        for (int b = 0; b < m->dim; ++b) G[a][b] = sum_terms(slope[b], of->term[a]) - rest / away * w->area[b] / size;
     }
 }
 

@@ -10,9 +10,9 @@ void ice_find_sensors(const ice_view *v);
 /* Bulk viscosity beside walls that a fluid slips along (ice_slip.c). */
 void ice_relieve_slip(const ice *s, const ice_view *v);
 
-/* Rate of compression of a cell (m/s over the largest spacing): the lesser of div u and the sum of its terms along the
- * axes, each times its spacing over the largest. Both are the same on square cells; on others the volume's own length,
- * V^(1/d), would make the viscosity along the finer axis larger than explicit steps bear. */
+/* Rate of compression of a cell (m/s over the largest spacing): the smaller of div u and the sum of its terms along
+ * the axes, each times its spacing over the largest. Both are the same on square cells; on others the length V^(1/d)
+ * would make the viscosity along the finer axis too large for stable explicit steps. */
 FLOE_ALWAYS_INLINE double ice_compression(double div, double jump)
 {
     return most(-most(div, jump), 0.0);

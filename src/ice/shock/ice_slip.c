@@ -1,9 +1,9 @@
-/* The bulk viscosity of theory 2.8 (iv) in cells of a solid that fluids slip along.
+/* The bulk viscosity of theory 2.8 (iv) in cells of a solid along which fluids slip.
  *
- * Its inertia is that of what moves. Where solid and fluid have one velocity that is the cell's whole mass; where the fluid slips it is the
- * fluid's, which along the wall nothing else stops. By the whole mass, with a solid some thousand times as heavy, an explicit step would turn
- * that velocity round and make it larger, step by step, from round-off on. So q is no more than that of the fluids alone. Across the wall,
- * where both have one velocity, a wall so heavy hardly moves, and what hits it has its own q in the cells before. */
+ * Where solid and fluid have one velocity, the inertia is the mass of the whole cell; where the fluid slips, it is that of the fluid, whose motion along the
+ * wall meets no other resistance. With the whole mass, and a solid some thousand times as heavy, an explicit step would reverse and amplify that velocity
+ * from round-off on. So q is limited to that of the fluids alone. Normal to the wall both have one velocity, but so heavy a wall hardly moves, and a wave
+ * that meets it has its own q in the cells before. */
 #include "ice/shock/ice_shock.h"
 
 #include <math.h>

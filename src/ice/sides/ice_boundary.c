@@ -314,7 +314,7 @@ static double side_acceleration(const ice *s, const ice_view *v, int axis, const
     return wall->velocity[axis] * swing_rate(&wall->course, t) + here->acceleration[axis] + u * slope;
 }
 
-static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+static void set_side_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
     const ice_side_face *here = ice_side_at(s, v->b, axis, side, at.i, at.j, at.k);
     const bc_side *wall = here->condition;
@@ -336,7 +336,7 @@ static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side si
 
 void ice_boundary_face_pressure(const ice *s, const ice_view *v)
 {
-    ice_visit_sides(s, v, 0, set_pressure);
+    ice_visit_sides(s, v, 0, set_side_pressure);
 }
 
 static void enter_side_work(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)

@@ -1,5 +1,4 @@
-/* What stands beyond each face of the sides: conditions with their numbers at the place and time of the face, and the fluid behind
- * them (theory 2.13). */
+/* The outer state of each boundary face: its condition, with the values at the place and time of the face, and the fluid beyond it (theory 2.13). */
 #ifndef ICE_SIDE_TABLE_H
 #define ICE_SIDE_TABLE_H
 

@@ -25,7 +25,7 @@ void ice_fill_faces(const ice *s, field_id id, int instance);
 bool ice_is_wall(bc_kind kind);
 /* The condition of the face of a side beside an owned cell, local; its numbers are those at the face, at the middle of the step. */
 const bc_side *ice_condition_at(const ice *s, const block *b, int axis, mesh_side side, int i, int j, int k);
-/* Whether the faces of a side differ, so that each is asked for. */
+/* Whether the faces of a side have different conditions, so that each must be looked up. */
 bool ice_side_differs(const ice *s, int axis, mesh_side side);
 /* Whether any face of a side has one of these kinds of condition. */
 bool ice_side_has(const ice *s, int axis, mesh_side side, bool (*kind)(bc_kind kind));

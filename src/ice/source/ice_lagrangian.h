@@ -1,4 +1,4 @@
-/* What is added to the Lagrangian values of whole cells; only this folder includes it. */
+/* Terms that are added to the Lagrangian values of whole cells; only this folder includes it. */
 #ifndef ICE_LAGRANGIAN_H
 #define ICE_LAGRANGIAN_H
 

@@ -1,4 +1,4 @@
-/* Energy added to a fluid in a region: at a given power, or so that its mean pressure follows a ramp (pressurise). */
+/* Heating of a fluid in a region: at a given power, or such that its mean pressure follows a ramp (pressurise). */
 #include "ice/source/ice_lagrangian.h"
 #include "ice/state/ice_cells.h"
 #include "ice/state/ice_lists.h"
@@ -49,7 +49,7 @@ double ice_region_share(const mesh *m, const shape *region, const int cell[MESH_
 }
 
 /* Cells of a load's region: those of which some part lies inside, with its share. */
-static floe_status find_regions(ice *s, int l)
+static floe_status find_load_cells(ice *s, int l)
 {
     ice_cell_list *list = s->heated->cells[l];
     if (list[0].at) return FLOE_OK;
@@ -182,7 +182,7 @@ floe_status ice_apply_loads(ice *s, const ice_region *g)
         const scene_load *load = &s->scene->load[l];
         const int r = heated_by(s, g, load);
         if (r < 0) continue;
-        TRY(find_regions(s, l));
+        TRY(find_load_cells(s, l));
         if (load->kind == LOAD_PRESSURISE)
             set_gas_pressure(s, g, l, r);
         else
@@ -217,7 +217,7 @@ floe_status ice_load_pressure(ice *s, const ice_region *g)
         const scene_load *load = &s->scene->load[l];
         const int r = load->kind == LOAD_HEAT ? heated_by(s, g, load) : -1;
         if (r < 0) continue;
-        TRY(find_regions(s, l));
+        TRY(find_load_cells(s, l));
         add_pressure(s, g, l, r, heating_time(s, load));
     }
     return FLOE_OK;

@@ -248,17 +248,10 @@ static void enter_gravity(const ice *s, const ice_view *v, int j, int k)
     }
 }
 
-/* Least energy (J/kg) of a fluid, 0 where the law's depends on density. */
-static double floor_of(const ice_view *v, int r)
-{
-    const double floor = v->material[r].energy_floor;
-    return isnan(floor) ? 0.0 : floor;
-}
-
 #define INSTANCE(d)                                                                 \
     FLOE_WIDE static int single_##d(const ice_view *v, int j, int k, bool conserve) \
     {                                                                               \
-        return single_row(v, j, k, conserve, floor_of(v, 0), d);                    \
+        return single_row(v, j, k, conserve, ice_least_energy(v, 0), d);            \
     }                                                                               \
     static int multi_##d(const ice_view *v, int j, int k, bool conserve)            \
     {                                                                               \
@@ -266,7 +259,7 @@ static double floor_of(const ice_view *v, int r)
         double floor[ICE_MAX_MATERIALS];                                            \
         for (int r = 0; r < v->n_materials; ++r) {                                  \
             points[r] = v->material[r].points;                                      \
-            floor[r] = floor_of(v, r);                                              \
+            floor[r] = ice_least_energy(v, r);                                      \
         }                                                                           \
         return multi_row(v, j, k, conserve, floor, points, d);                      \
     }

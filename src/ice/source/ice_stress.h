@@ -75,7 +75,7 @@ FLOE_ALWAYS_INLINE cell_diffusion diffusion_into(const diffusing *d, const ice_v
     return c;
 }
 
-/* What that does to a fluid's Lagrangian values; per_mass: dt/rho, 0 where there is none of it. */
+/* Adds them to a fluid's Lagrangian values; per_mass: dt/rho, 0 where there is none of the fluid. */
 FLOE_ALWAYS_INLINE void take_diffusion(const ice_fluid *m, ptrdiff_t at, double per_mass, const int dim,
                                        const cell_diffusion *c)
 {

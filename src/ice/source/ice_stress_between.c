@@ -1,7 +1,7 @@
-/* Shear and heat between unlike fluids across a face (theory 2.6). Of a face, like fluids meet over the harmonic means of their fractions; what
- * is left is an interface, over which each fluid of one cell meets the others of the next by the product of both fractions, with the
- * harmonic mean of their viscosities and conductivities: each fills half of the way between the centres. Only fluids that are locked to
- * each other do so, and the velocity is the mean one of the cells; those that slip, or drag each other by a law, have that law alone. */
+/* Shear and heat between unlike fluids across a face (theory 2.6). Like fluids meet over the harmonic mean of their volume fractions on the face. The rest of
+ * the face is an interface, over which each fluid of one cell meets the other fluids of the next cell in proportion to the product of both fractions, with
+ * the harmonic mean of their viscosities and conductivities, since each fills half of the distance between the centres. This applies only to fluids that are
+ * locked to each other, with the mean velocity of the cells; fluids that slip, or exchange momentum by a law, have that law alone. */
 #include "ice/source/ice_lagrangian.h"
 #include "ice/source/ice_stress.h"
 

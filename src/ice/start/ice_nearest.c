@@ -1,7 +1,7 @@
-/* The fluid beside a solid: of each cell, the nearest one whose centre no solid covers.
+/* The fluid beside a solid: for each cell, the nearest one whose centre no solid covers.
  *
- * Beside a smeared solid cells have volume left that lies inside the solid. It belongs to the fluid on the near side, not to the ambient: a
- * wall between water and air would start with air against the water. */
+ * Cells at a smeared solid have volume left that lies inside the solid. It belongs to the fluid on the near side, not to the ambient: otherwise a wall
+ * between water and air would start with air on the side of the water. */
 #include "ice/start/ice_start.h"
 #include "ice/state/ice_cell_numbers.h"
 
@@ -22,7 +22,7 @@ static bool is_inside_solid(const ice *s, const int cell[MESH_MAX_DIM])
     return false;
 }
 
-/* Square of the distance (m2) of two cells' centres, the short way around periodic axes. */
+/* Square of the distance (m2) of two cells' centres, the shorter one around periodic axes. */
 static double square_distance(const mesh *m, int first, int second)
 {
     int a[MESH_MAX_DIM], b[MESH_MAX_DIM];

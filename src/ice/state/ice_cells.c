@@ -1,4 +1,4 @@
-/* Cells by their numbers: where they are, which block owns them, what messages say of them. */
+/* Cells by their numbers: their positions, the block that owns them, their description in messages. */
 
 #include "ice/state/ice_cells.h"
 #include "ice/state/ice_cell_numbers.h"

@@ -1,4 +1,4 @@
-/* Cells of a block: where they are, what messages say of them. */
+/* Cells of a block: their positions, and their description in messages. */
 #ifndef ICE_CELLS_H
 #define ICE_CELLS_H
 

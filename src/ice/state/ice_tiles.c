@@ -1,5 +1,4 @@
-/* Tile partials: what a stage gathers over cells, added up in the order of tiles whatever the blocks and threads
- * (docs/structure.md, Tiles). */
+/* Partial sums of tiles: a stage sums over the cells of a tile, and tiles are added in order, whatever the blocks and threads (docs/structure.md, Tiles). */
 #include "ice/state/ice_tiles.h"
 #include "ice/state/ice_storage.h"
 

@@ -1,4 +1,4 @@
-/* Sums over tiles, of what a step gathers for the ledger. */
+/* Sums over tiles of amounts that a step enters into the ledger. */
 #ifndef ICE_TILES_H
 #define ICE_TILES_H
 

@@ -44,7 +44,7 @@ FLOE_ALWAYS_INLINE double is_whole(const double *theta, const double *open, ptrd
 }
 
 /* Parabolas reach two cells along each axis. */
-FLOE_ALWAYS_INLINE void mark_row(const ice_view *v, int r, ptrdiff_t base, const bool multi, const bool cut)
+FLOE_ALWAYS_INLINE void mark_traced_row(const ice_view *v, int r, ptrdiff_t base, const bool multi, const bool cut)
 {
     const double *theta = v->m[r].theta, *open = v->m[r].open;
     double *restrict found = v->alone;
@@ -102,11 +102,11 @@ FLOE_WIDE static void find_alone_row(const ice_view *v, int j, int k)
     for (int r = 0; r < v->n_materials; ++r) {
         if (v->material[r].points) continue;
         if (!v->multi)
-            mark_row(v, r, base, false, true);
+            mark_traced_row(v, r, base, false, true);
         else if (v->m[r].open)
-            mark_row(v, r, base, true, true);
+            mark_traced_row(v, r, base, true, true);
         else
-            mark_row(v, r, base, true, false);
+            mark_traced_row(v, r, base, true, false);
     }
 }
 

@@ -21,7 +21,7 @@ typedef struct ice_star {
     double p, rho, e, u[3];
 } ice_star;
 
-/* `slow`: share of the viscous part of P* that flow far below the speed of sound and all but without dilatation goes without. */
+/* `slow`: share by which the viscous part of P* is reduced, in flow far below the speed of sound with little dilatation. */
 FLOE_ALWAYS_INLINE ice_star ice_star_of(const ice_side_of_face *L, const ice_side_of_face *R, int axis, double slow,
                                         const int dim)
 {

@@ -21,9 +21,9 @@ size_t ice_trace_buffer(const ice *s)
     return largest;
 }
 
-/* How much of a shock lies in a cell that moves slowly over the mesh, 0 to 1: such a one rings behind itself unless its states are flattened (Colella and
- * Woodward 1984, appendix; Quirk 1994). It is steep (the pressure's change over two cells is that over four), and both the speed of its mass and its
- * momentum say that it stands. */
+/* How much of a slowly moving shock lies in a cell, 0 to 1: such a shock has oscillations behind it unless its states are flattened (Colella and Woodward
+ * 1984, appendix; Quirk 1994). It is steep (the pressure's change over two cells is that over four), and nearly stationary by its mass flux and its
+ * momentum. */
 FLOE_ALWAYS_INLINE double slow_shock_at(const double *restrict rho, const double *restrict u, const double *restrict p,
                                         const double *restrict c, double floor, ptrdiff_t at, ptrdiff_t st)
 {

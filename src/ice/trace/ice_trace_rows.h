@@ -12,7 +12,7 @@ enum { WAVE_UP, WAVE_DOWN, WAVE_ENTROPY, WAVE_ENERGY, WAVE_ACROSS, WAVES = WAVE_
 /* Differences over a cell along an axis, of the flattened parabolas. */
 enum { SLOPE_DENSITY, SLOPE_PRESSURE, SLOPE_ENERGY, SLOPE_VELOCITY, SLOPES = SLOPE_VELOCITY + 3 };
 
-/* State at one face of each cell at half the step, and what the Riemann problem asks of the cell besides. */
+/* State at one face of each cell at half the step, and further values of the cell for the Riemann problem. */
 enum {
     STATE_DENSITY,
     STATE_PRESSURE,

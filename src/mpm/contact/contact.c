@@ -1,4 +1,4 @@
-/* The stages of contact: from fields to what happens at one node, and back. */
+/* The stages of contact: from the fields to the contact problem at one node, and back. */
 #include "mpm/contact/contact.h"
 
 #include "base/memory.h"
@@ -172,7 +172,7 @@ static void recall_states(const node_pass *p, ptrdiff_t at, const int *group, co
 
 /* Writes the velocities; returns what the contact added to the nodes' kinetic energy: its impulses times the means of
  * the velocities before and after the kick. */
-static double store_node(const node_pass *p, ptrdiff_t at, const int *group, const contact_node *node)
+static double store_contact_node(const node_pass *p, ptrdiff_t at, const int *group, const contact_node *node)
 {
     double work = 0.0;
     for (int k = 0; k < node->n; ++k) {
@@ -245,7 +245,7 @@ static void visit_node(const node_pass *p, const int global[MESH_MAX_DIM], doubl
     if (p->act == CONTACT_DECIDE) save_states(p, at, group, &node);
     if (p->act == CONTACT_FORESEE) load_node(p, at, group, &node);
     if (p->act != CONTACT_DECIDE) contact_impose(&node);
-    const double work = store_node(p, at, group, &node);
+    const double work = store_contact_node(p, at, group, &node);
     if (!sum) return;
     sum[SUM_WORK] += work;
     sum[SUM_STICK] += t.stick;

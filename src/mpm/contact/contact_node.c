@@ -207,7 +207,7 @@ static void join_bonded(contact_node *node, const pair *list, int n)
 }
 
 /* a loses the impulse, b gains it. */
-static void exchange_impulse(contact_node *node, const pair *p, const double impulse[3])
+static void exchange_contact_impulse(contact_node *node, const pair *p, const double impulse[3])
 {
     contact_body *a = &node->body[p->a], *b = &node->body[p->b];
     for (int c = 0; c < 3; ++c) {
@@ -240,11 +240,11 @@ static double relax_pair(contact_node *node, pair *p, double friction)
         p->tangential_impulse[c] = kept * tangential_impulse[c];
     }
     p->normal_impulse = normal_impulse;
-    exchange_impulse(node, p, impulse);
+    exchange_contact_impulse(node, p, impulse);
     return vec_norm(impulse);
 }
 
-/* Two bodies need one sweep; more, until the impulses stand still. Any sweep keeps the momentum. */
+/* Two bodies need one sweep; more bodies need sweeps until the impulses converge. Every sweep conserves momentum. */
 static void relax_all(contact_node *node, pair *list, int n, double friction)
 {
     for (int sweep = 0; sweep < MAX_SWEEPS; ++sweep) {

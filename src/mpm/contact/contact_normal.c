@@ -1,4 +1,4 @@
-/* Normals of the bodies at the nodes about which they meet. */
+/* Normals of bodies at the nodes where they meet. */
 #include "grid/tile_box.h"
 #include "mpm/contact/contact.h"
 #include "mpm/nodes/ghosts.h"

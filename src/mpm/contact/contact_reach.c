@@ -1,5 +1,5 @@
-/* How far bodies reach at the nodes about which they meet: by the points themselves, since a node sees a body up to one
- * and a half cells before it arrives. */
+/* Extent of bodies at the nodes where they meet. It is determined from the points, since a node has mass of a body up to one and a half cells before the body
+ * arrives. */
 #include "grid/tile_box.h"
 #include "mpm/contact/contact.h"
 #include "mpm/transfer/point_arrays.h"

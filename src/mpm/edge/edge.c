@@ -16,15 +16,11 @@ double mpm_edge_penalty(const mpm *s)
     return s->carries[P_SHARE] ? 0.0 : s->basis->edge_penalty; /* an edge that burns has no penalty */
 }
 
-static bool is_usf(const mpm *s)
-{
-    return s->scene->method.stress == STRESS_USF;
-}
-
 /* The difference that gives the force of line k of a group. */
 static double edge_velocity_jump(const mpm *s, const edge_group *g, size_t k, int c)
 {
-    return is_usf(s) ? g->next[k * (size_t)s->mesh->dim + (size_t)c] : s->edges->memory[g->line[k].slot + (size_t)c];
+    return s->scene->method.stress == STRESS_USF ? g->next[k * (size_t)s->mesh->dim + (size_t)c]
+                                                 : s->edges->memory[g->line[k].slot + (size_t)c];
 }
 
 void edges_mark_flow(const mpm *s, edge_group *g)
@@ -95,7 +91,7 @@ floe_status mpm_edge_force(mpm *s)
 {
     for (int g = 0; g < s->n_deforming_groups; ++g) {
         TRY(edges_find(s, g, false));
-        if (is_usf(s)) TRY(edges_strain(s, g, N_VEL));
+        if (s->scene->method.stress == STRESS_USF) TRY(edges_strain(s, g, N_VEL));
         TRY(push_group(s, g));
     }
     return FLOE_OK;

@@ -1,4 +1,4 @@
-/* Nodes that solids fill in part, and the lines that are penalised there. */
+/* Finds nodes whose support is partly filled, and the lines that are penalised there. */
 #include "grid/tile_box.h"
 #include "mpm/edge/edge.h"
 #include "mpm/edge/edge_lines.h"

@@ -1,4 +1,4 @@
-/* The lists of lines, of their nodes and of where blocks have those (edge.h), from what is remembered. */
+/* Lists of the penalised lines, of their nodes and of the copies of these in blocks (edge.h), from the history of the lines. */
 #include "mpm/edge/edge_lines.h"
 #include "base/memory.h"
 #include "mpm/edge/edge.h"
@@ -9,9 +9,9 @@
 #include <math.h>
 #include <string.h>
 
-/* rho c^2 (Pa) of a body at rest, but no more than that of a body with a Poisson's ratio of 0.35 and the same shear modulus: where the bulk
- * modulus is far larger, a penalty of its size would hold the edges as stiff as the volume is, which their motion does not change. */
-static double modulus_of(const mpm *s, int body)
+/* rho c^2 (Pa) of a body at rest, at most that of a body with a Poisson's ratio of 0.35 and the same shear modulus: with a far larger bulk
+ * modulus, a penalty of that size would make the edges as stiff as the volume, which their motion does not change. */
+static double penalty_modulus_of(const mpm *s, int body)
 {
     const mpm_body *b = &s->body[body];
     const double shear = b->law->shear_modulus(b->law_par), bulk = b->law->bulk_modulus(b->law_par);
@@ -24,7 +24,7 @@ static double longest_of(const mpm *s, int body, int axis)
 {
     const mpm_body *b = &s->body[body];
     if (!b->law->yield_stress) return HUGE_VAL;
-    return s->mesh->h[axis] * b->law->yield_stress(b->law_par) / modulus_of(s, body);
+    return s->mesh->h[axis] * b->law->yield_stress(b->law_par) / penalty_modulus_of(s, body);
 }
 
 int edge_taps(const mpm *s)
@@ -139,7 +139,7 @@ static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
 }
 
 /* Place in the group's list of a node. */
-static floe_status list_node(mpm *s, int group, int body, const int at[MESH_MAX_DIM], int *place)
+static floe_status list_edge_node(mpm *s, int group, int body, const int at[MESH_MAX_DIM], int *place)
 {
     mpm_edges *e = s->edges;
     edge_group *g = &e->group[group];
@@ -192,10 +192,10 @@ static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_M
     int tap[EDGE_TAPS][MESH_MAX_DIM];
     edge_line l = {.axis = axis, .slot = place * (size_t)s->mesh->dim};
     if (body < 0 || !edge_find_taps(s, group, first, tap, &l)) return FLOE_OK;
-    l.stiffness = e->penalty * modulus_of(s, body) * line_extent(s, axis, tap);
+    l.stiffness = e->penalty * penalty_modulus_of(s, body) * line_extent(s, axis, tap);
     l.most = longest_of(s, body, axis);
     l.inertia = l.stiffness * s->mesh->h[axis] * s->mesh->h[axis] / (g->speed * g->speed);
-    for (int t = 0; t < edge_taps(s); ++t) TRY(list_node(s, group, body, tap[t], &l.node[t]));
+    for (int t = 0; t < edge_taps(s); ++t) TRY(list_edge_node(s, group, body, tap[t], &l.node[t]));
     for (int t = edge_taps(s); t < EDGE_TAPS; ++t) l.node[t] = l.node[0];
     l.unbalanced = is_unbalanced(g, &l);
     TRY(reserve_items(s->ctx, &g->line, &g->lines_reserved, g->n_lines + 1, sizeof *g->line));
@@ -344,7 +344,8 @@ floe_status edges_create(mpm *s)
     for (int b = 0; b < s->n_bodies; ++b) {
         if (!edge_body(s, b)) continue;
         edge_group *g = &e->group[s->body[b].group];
-        g->speed = fmax(g->speed, sqrt(modulus_of(s, b) / s->scene->material[s->body[b].scene_material].density));
+        g->speed =
+            fmax(g->speed, sqrt(penalty_modulus_of(s, b) / s->scene->material[s->body[b].scene_material].density));
         for (int a = 0; a < s->mesh->dim; ++a) g->damping = fmax(g->damping, g->speed / s->mesh->h[a]);
     }
     const size_t nodes = edge_all_nodes(e), dim = (size_t)s->mesh->dim, groups = (size_t)s->n_groups;

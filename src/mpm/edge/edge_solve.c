@@ -235,10 +235,10 @@ static edge_system load_system(const mpm *s, int group, int c, double *scratch)
     return y;
 }
 
-/* What lines take of the points' kinetic energy, and give back: entered as damping, since their own is no part of the
- * points'. At the velocities of the start: points are accelerated by all of their nodes, so that they have next to
- * nothing of the square of the kick of a node that is all but empty, where lines balance the stress. Counted, it doubled
- * what a probe lost that strikes a bag. */
+/* Kinetic energy that lines exchange with the points: entered as damping, since the energy of lines is not among that of
+ * the points. With the velocities at the start of the step: points are accelerated by all of their nodes and get almost
+ * nothing of the squared kick of a nearly empty node, where lines balance the stress. Including it doubled the loss of a
+ * probe that hits a bag. */
 static void enter_work(mpm *s, const edge_system *y)
 {
     double work = 0.0, unused[3] = {0.0};

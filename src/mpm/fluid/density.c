@@ -1,12 +1,9 @@
-/* Density of fluid points from the masses of cells (Y97 eqs 4.5 and 4.6), as another way than continuity.
- *
- *   cell:       rho_c = sum_p m_p / V_c over the points of the fluid in the cell
- *   quadratic:  rho_c = sum_p m_p S_c(x_p) / V_c, S_c the quadratic B-spline about the cell's centre (Y97 table 12); what would fall
- *               beyond a side comes back, as from a mirror
- *
- * and every point takes the density of its cell. Only meant where the fluid fills its cells: one that a cell shares
- * with another body, or with nothing, is taken for thinner than it is. The sums run over tiles in global order, in each
- * over its points, so that they have the same bits for any blocks; one thread makes them. */
+/* Density of fluid points from the masses of cells (Y97 eqs 4.5 and 4.6), as an alternative to continuity.
+ *     cell:       rho_c = sum_p m_p / V_c over the points of the fluid in the cell
+ *     quadratic:  rho_c = sum_p m_p S_c(x_p) / V_c, S_c the quadratic B-spline about the cell's centre (Y97 table 12);
+ *                 contributions beyond a side are reflected
+ * Every point takes the density of its cell. The method assumes that the fluid fills its cells: in a cell that another body or a void shares, the density is
+ * too small. The sums run over tiles in global order, and over the points in each, so that they have the same bits for any blocks; one thread makes them. */
 #include "base/memory.h"
 #include "mpm/mpm.h"
 
@@ -56,7 +53,7 @@ static size_t cell_number(const mesh *m, int i, int j, int k)
     return (size_t)i + (size_t)m->n[0] * ((size_t)j + (size_t)m->n[1] * (size_t)k);
 }
 
-static void add_point(const mpm *s, const cell_stencil *at, double mass, double *sum)
+static void add_point_mass(const mpm *s, const cell_stencil *at, double mass, double *sum)
 {
     const int dim = s->mesh->dim; /* an axis that is not there has the weights 0 1 0 */
     for (int z = dim > 2 ? 0 : 1; z < (dim > 2 ? 3 : 2); ++z)
@@ -102,7 +99,7 @@ static void sum_masses(const mpm *s, int material, double *sum)
             const size_t *at = s->points[blk][body].tile_start + local;
             for (size_t k = at[0]; k < at[1]; ++k) {
                 const cell_stencil where = stencil_of(s, x, k);
-                add_point(s, &where, mass[k], sum);
+                add_point_mass(s, &where, mass[k], sum);
             }
         }
     }

@@ -1,4 +1,4 @@
-/* Fluids on points: what becomes of their losses and volumes. */
+/* Fluids on points: heat of dissipated energy, and volumes. */
 #ifndef MPM_FLUID_H
 #define MPM_FLUID_H
 

@@ -49,16 +49,12 @@ bool fluids_keep_losses(const mpm *s)
     return s->scene->method.losses == LOSSES_OWN && known && s->cells != CELLS_SMEARED && has_fluid_points(s);
 }
 
-static bool is_usl(const mpm *s)
-{
-    return s->scene->method.stress == STRESS_USL;
-}
-
 /* (1 - f) |v_i|^2 + (USL) dt^2 |a_i|^2 into N_LOSS, v_i = v^L_i - dt a_i. */
 static void square_nodes(const mpm *s, int blk, int group)
 {
     const fields *f = s->domain->fields[blk];
-    const double kick = s->kick, blend = 1.0 - s->share, usl = is_usl(s) ? kick * kick : 0.0;
+    const double kick = s->kick, blend = 1.0 - s->share,
+                 usl = s->scene->method.stress == STRESS_USL ? kick * kick : 0.0;
     double *restrict out = field_get(f, N_LOSS, group, 0);
     const size_t n = s->mesh->block[blk].size;
     memset(out, 0, n * sizeof *out);
@@ -118,7 +114,7 @@ static body_step step_of(const mpm *s, int blk, int body)
 /* What point k has lost (J), `squares` being the nodes' squares at the point. */
 static double loss_of(const mpm *s, const body_step *b, size_t k, size_t number, double squares)
 {
-    const double kick = s->kick, f = s->share, usl = is_usl(s) ? kick * kick : 0.0;
+    const double kick = s->kick, f = s->share, usl = s->scene->method.stress == STRESS_USL ? kick * kick : 0.0;
     double loss = squares;
     for (int a = 0; a < s->mesh->dim; ++a) {
         const double shift = b->line ? b->line->shift[3 * number + (size_t)a] : 0.0;
@@ -213,7 +209,7 @@ static void close_tile(mpm *s, int unused, int blk, int tile)
             }
 }
 
-/* Losses become energy for each kilogram of fluid, and `all` (J/kg) comes to each. */
+/* Losses become energy per kilogram of fluid, and each point also gets `all` (J/kg). */
 static void share_losses_by_mass(const mpm *s, int blk, double all)
 {
     const fields *f = s->domain->fields[blk];

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-static size_t all_nodes(const mpm_wetted *w)
+static size_t wetted_nodes(const mpm_wetted *w)
 {
     return (size_t)w->nodes[0] * (size_t)w->nodes[1] * (size_t)w->nodes[2];
 }
@@ -26,8 +26,8 @@ floe_status wetted_create(mpm *s)
         }
     }
     for (int a = 0; a < MESH_MAX_DIM; ++a) w->nodes[a] = a < s->mesh->dim ? s->mesh->n[a] + 1 : 1;
-    TRY(memory_new(s->ctx, &w->index, all_nodes(w), sizeof *w->index));
-    for (size_t k = 0; k < all_nodes(w); ++k) w->index[k] = -1;
+    TRY(memory_new(s->ctx, &w->index, wetted_nodes(w), sizeof *w->index));
+    for (size_t k = 0; k < wetted_nodes(w); ++k) w->index[k] = -1;
     return FLOE_OK;
 }
 
@@ -57,7 +57,7 @@ static floe_status visit_all_shared(mpm *s, int blk, shared_visitor *visit)
     return wetted_visit(s, blk, lo, end, visit);
 }
 
-static floe_status store_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdiff_t local)
+static floe_status store_wetted_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdiff_t local)
 {
     const mpm_wetted *w = s->wetted;
     const fields *f = s->domain->fields[blk];
@@ -84,7 +84,7 @@ floe_status mpm_constrain_wetted(mpm *s)
     if (w->n == 0) return FLOE_OK;
     for (int k = 0; k < w->n; ++k)
         if (w->node[k].root == k) wetted_constrain_line(s, k);
-    for (int blk = 0; blk < s->mesh->n_blocks; ++blk) TRY(visit_all_shared(s, blk, store_node));
+    for (int blk = 0; blk < s->mesh->n_blocks; ++blk) TRY(visit_all_shared(s, blk, store_wetted_node));
     return FLOE_OK;
 }
 
@@ -99,7 +99,7 @@ static int find_image(const mpm *s, const int at[MESH_MAX_DIM])
     return wetted_find(s, image);
 }
 
-static floe_status add_heat(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdiff_t local)
+static floe_status add_wall_heat(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdiff_t local)
 {
     const mpm_wetted *w = s->wetted;
     const int k = find_image(s, at);
@@ -109,6 +109,6 @@ static floe_status add_heat(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdiff
 
 floe_status wetted_add_losses(mpm *s)
 {
-    for (int blk = 0; blk < s->mesh->n_blocks; ++blk) TRY(visit_all_shared(s, blk, add_heat));
+    for (int blk = 0; blk < s->mesh->n_blocks; ++blk) TRY(visit_all_shared(s, blk, add_wall_heat));
     return FLOE_OK;
 }

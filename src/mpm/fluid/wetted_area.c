@@ -1,4 +1,4 @@
-/* Areas of the surface of the fluid at nodes beside solids. */
+/* Area vectors of the surface of the fluid, at nodes beside solids. */
 #include "grid/tile_box.h"
 #include "mpm/fluid/wetted.h"
 #include "mpm/fluid/wetted_parts.h"

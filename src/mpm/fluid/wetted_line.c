@@ -1,4 +1,4 @@
-/* One velocity of the wall for fluid and solid nodes of a line across it: pressure, closing, slip, and the heat of what is lost. */
+/* The condition of equal wall velocity on a grid line across the wall: pressure, normal velocity, slip, and the heat of the energy that is lost. */
 #include "mpm/fluid/wetted.h"
 #include "mpm/fluid/wetted_parts.h"
 #include "mpm/mpm_constants.h"
@@ -19,7 +19,7 @@ static double recoil_of(const wetted_node *n)
     return 1.0 + n->mass[FLUID] / n->inertia[SOLID];
 }
 
-static void exchange_impulse(wetted_node *n, const double impulse[3])
+static void exchange_wall_impulse(wetted_node *n, const double impulse[3])
 {
     for (int c = 0; c < 3; ++c) {
         n->v[FLUID][c] -= impulse[c] / n->mass[FLUID];
@@ -93,7 +93,7 @@ static void exchange_pressure(const mpm *s, const wetted_line *line)
     for (int k = 0; k < line->n; ++k) {
         wetted_node *m = &w->node[line->member[k]];
         const double given[3] = {impulse * m->area[0], impulse * m->area[1], impulse * m->area[2]};
-        exchange_impulse(m, given);
+        exchange_wall_impulse(m, given);
     }
 }
 
@@ -111,7 +111,7 @@ static void stop_closing(const mpm *s, const wetted_line *line)
         wetted_node *m = &w->node[line->member[k]];
         double given[3];
         for (int c = 0; c < 3; ++c) given[c] = m->mass[FLUID] * m->area[c] * closing / ease;
-        exchange_impulse(m, given);
+        exchange_wall_impulse(m, given);
     }
 }
 
@@ -141,12 +141,12 @@ static void stop_slip(const mpm *s, const wetted_line *line)
         const double share = ended * m->mass[FLUID] * sqrt(wetted_dot(m->area, m->area)) / ease;
         double given[3];
         for (int c = 0; c < 3; ++c) given[c] = share * (slip[c] - along * line->area[c]);
-        exchange_impulse(m, given);
+        exchange_wall_impulse(m, given);
     }
 }
 
 /* Whether the fluid lies along a wall there: its surface is about the face of a cell. */
-static bool is_wall(const mpm *s, int root, const wetted_line *line)
+static bool is_wall_node(const mpm *s, int root, const wetted_line *line)
 {
     const double volume = node_volume(s, s->wetted->fluid, s->wetted->node[root].at),
                  size = sqrt(wetted_dot(line->area, line->area));
@@ -167,7 +167,7 @@ static void merge_filled_nodes(const mpm *s, const wetted_line *line)
 }
 
 /* Kinetic energy (J) that a node has lost to its constraint: impulses times the means of the velocities before and
- * after the forces. What has been work on a solid with a motion of its own is not lost. */
+ * after the forces. Work on a solid with a prescribed or rigid motion is not a loss. */
 static double lost_at(const wetted_node *n)
 {
     double lost = 0.0;
@@ -198,7 +198,7 @@ void wetted_constrain_line(const mpm *s, int root)
     for (int k = 0; k < line.n; ++k)
         for (int c = 0; c < 3; ++c) line.area[c] += w->node[line.member[k]].area[c];
     const wetted_line whole = line;
-    const bool wall = is_wall(s, root, &line);
+    const bool wall = is_wall_node(s, root, &line);
     merge_light_nodes(s, &line);
     exchange_pressure(s, &line);
     if (!wall) {

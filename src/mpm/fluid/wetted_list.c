@@ -1,4 +1,4 @@
-/* The nodes at which fluid and solid points have mass, and the lines of them across the wall. */
+/* Lists the nodes at which both fluid and solid points have mass, and the grid lines of such nodes across the wall. */
 #include "base/memory.h"
 #include "mpm/fluid/wetted.h"
 #include "mpm/fluid/wetted_parts.h"
@@ -40,7 +40,7 @@ static void drop_constrained(const mpm *s, wetted_node *n)
     }
 }
 
-static floe_status list_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdiff_t local)
+static floe_status list_wetted_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdiff_t local)
 {
     mpm_wetted *w = s->wetted;
     const fields *f = s->domain->fields[blk];
@@ -76,7 +76,7 @@ static int compare_numbers(const void *a, const void *b)
     return i < j ? -1 : i > j;
 }
 
-static floe_status list_nodes(mpm *s)
+static floe_status list_wetted_nodes(mpm *s)
 {
     mpm_wetted *w = s->wetted;
     for (int k = 0; k < w->n; ++k) w->index[w->node[k].number] = -1;
@@ -86,7 +86,7 @@ static floe_status list_nodes(mpm *s)
         int end[MESH_MAX_DIM];
         for (int a = 0; a < MESH_MAX_DIM; ++a)
             end[a] = a < s->mesh->dim ? b->n[a] + (b->at_side[a][SIDE_UPPER] && !s->mesh->periodic[a] ? 1 : 0) : 1;
-        TRY(wetted_visit(s, blk, (const int[]){0, 0, 0}, end, list_node));
+        TRY(wetted_visit(s, blk, (const int[]){0, 0, 0}, end, list_wetted_node));
     }
     if (w->n > 0) qsort(w->node, (size_t)w->n, sizeof *w->node, compare_numbers); /* the same for any blocks */
     for (int k = 0; k < w->n; ++k) w->index[w->node[k].number] = k;
@@ -153,7 +153,7 @@ static void find_lines(const mpm *s)
 
 floe_status wetted_list(mpm *s)
 {
-    TRY(list_nodes(s));
+    TRY(list_wetted_nodes(s));
     if (s->wetted->n > 0) find_lines(s);
     return FLOE_OK;
 }

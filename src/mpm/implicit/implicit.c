@@ -81,7 +81,7 @@ static void make_matrix(mpm *s)
     if (w->volume) constrain_matrix(s, m);
 }
 
-/* Nothing may be free to move; what is comes to rest on what it meets, if it meets anything. */
+/* No body may be free to move; one that is comes to rest on a body that it touches, if there is one. */
 static floe_status check_free(mpm *s)
 {
     const floe_status status = implicit_check_rigid_motions(s);

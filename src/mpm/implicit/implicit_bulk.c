@@ -1,5 +1,5 @@
-/* The largest bulk modulus over a shear modulus of a scene's solids. Whatever it is, nothing locks (implicit_volume.h); but the change of volume that a
- * stress asks for falls as it grows, to round-off in the end. */
+/* The largest ratio of bulk to shear modulus of a scene's solids. No ratio causes locking (implicit_volume.h), but the change of volume for a given stress
+ * decreases with it, in the end to round-off. */
 #include "mpm/implicit/implicit.h"
 #include "mpm/implicit/implicit_constants.h"
 

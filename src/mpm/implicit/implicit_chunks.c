@@ -4,6 +4,7 @@
 #include "base/threads.h"
 #include "math/tensor.h"
 #include "mpm/implicit/implicit_volume.h"
+#include "mpm/state/mean_strain.h"
 #include "mpm/state/stress.h"
 #include "mpm/thermal/thermal_stress.h"
 #include "mpm/transfer/scratch.h"
@@ -36,18 +37,6 @@ static double invert_deformation(const double G[9], double inverse[9])
     return tensor_inverse(F, inverse);
 }
 
-/* The axes that strain: two in the plane, three about an axis. */
-static int straining_axes(const mpm *s)
-{
-    return s->mesh->geometry == MESH_AXISYMMETRIC ? 3 : s->mesh->dim;
-}
-
-/* Their place among the components of a tensor. */
-static int diagonal_of(const mpm *s, int axis)
-{
-    return axis < s->mesh->dim ? 4 * axis : 8;
-}
-
 /* det(I + G) - 1, of which nothing is lost where G is small. */
 double growth_of(const double G[9])
 {
@@ -67,14 +56,6 @@ static void share_growth(const mpm *s, double shared, double G[9])
             const bool strains = axes == 3 || (i < 2 && j < 2);
             if (strains) G[3 * i + j] += scale * (G[3 * i + j] + (i == j ? 1.0 : 0.0));
         }
-}
-
-/* The rate of volume of a point becomes that of f_bar to round-off: laws in rate form take no more of a change of shape as one of volume. */
-static void set_rate_of_volume(const mpm *s, solid_batch *b, size_t k, double shared)
-{
-    const int axes = straining_axes(s);
-    const double more = (log1p(shared) - (b->L[0][k] + b->L[4][k] + b->L[8][k])) / axes;
-    for (int a = 0; a < axes; ++a) b->L[diagonal_of(s, a)][k] += more;
 }
 
 /* s = tr sigma/m. */
@@ -122,7 +103,8 @@ size_t chunk_law(const mpm *s, int blk, int body, size_t start, size_t end, grad
         if (shared && !(shared[k] > -1.0 && growth_of(g) > -1.0)) return 1 + k;
         if (shared) share_growth(s, shared[k], g);
         set_increment(b, k, g);
-        if (shared) set_rate_of_volume(s, b, k, shared[k]);
+        /* The rate of volume is that of f_bar to round-off: laws in rate form must not take a change of shape for one of volume. */
+        if (shared) set_rate_of_volume(s, b, k, log1p(shared[k]));
         if (!(b->J[k] > 0.0)) return 1 + k;
     }
     thermal_batch thermal;

@@ -37,7 +37,7 @@ enum { MPM_MOST_NEWTON = 30, MPM_MOST_CONTACT_ITERATIONS = 60, MPM_MOST_HALVINGS
 #define MPM_VOLUME_MOST_MARGIN 10.0
 /* Largest bulk over shear modulus: beyond it round-off of volumes is more than a thousandth of a stress that strains by 1e-6. */
 #define MPM_MOST_BULK 1e6
-/* Least share of the right-hand side that minimal residuals are asked for. */
+/* Smallest relative residual for minimal residuals. */
 #define MPM_VOLUME_ROUND_OFF 1e-13
 
 #endif

@@ -1,4 +1,4 @@
-/* Contact in the balance of forces: what binds, and what it takes of displacements and forces. */
+/* Contact in the nodal equations: the active conditions, and the projections of displacements and forces on them. */
 #include "mpm/implicit/implicit_contact.h"
 #include "mpm/implicit/implicit_view.h"
 
@@ -69,7 +69,7 @@ typedef struct spot_view {
     bool constrained[3];
 } spot_view;
 
-static void add_row(struct implicit_contact *c, const spot_view *v, const double along[3], double gap, int lead)
+static void add_contact_row(struct implicit_contact *c, const spot_view *v, const double along[3], double gap, int lead)
 {
     contact_spot *spot = &c->spot[c->spots];
     c->row[c->rows++] = (contact_row){.layer = {v->layer[0], v->layer[1]},
@@ -97,7 +97,7 @@ static void add_across(struct implicit_contact *c, const spot_view *v, const dou
         for (int a = 0; a < 3; ++a) square += t[a] * t[a];
         if (!(square > MPM_CONTACT_DEPENDENT)) continue;
         for (int a = 0; a < 3; ++a) found[count][a] = t[a] / sqrt(square);
-        add_row(c, v, found[count], 0.0, lead);
+        add_contact_row(c, v, found[count], 0.0, lead);
         c->row[c->rows - 1].bound = lead < 0;
         if (count == 2) return; /* no third direction is left */
         count++;
@@ -115,7 +115,7 @@ static void add_meeting(const mpm *s, const contact_node *node, const contact_me
         return;
     }
     if (!has_normal) return;
-    add_row(c, v, m->n, met ? 0.0 : m->gap, -1);
+    add_contact_row(c, v, m->n, met ? 0.0 : m->gap, -1);
     if (met && kind == CONTACT_RELEASE) add_across(c, v, m->n, c->spot[c->spots].rows - 1);
 }
 

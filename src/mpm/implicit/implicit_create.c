@@ -1,4 +1,4 @@
-/* Steps that are solved for: of which scenes, and what they need. */
+/* Creates the implicit solver: which scenes it supports, and its storage. */
 #include "base/memory.h"
 #include "grid/tile_box.h"
 #include "mpm/contact/contact.h"

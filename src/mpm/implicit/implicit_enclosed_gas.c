@@ -37,7 +37,7 @@ void enclosed_gases_free(mpm *s)
 
 enum { SUM_MASS, SUM_VOLUME0, SUM_VOLUME, SUM_ENERGY, SUMS };
 
-static void sum_tile(mpm *s, int blk, int tile, void *user, double *sum)
+static void sum_volume_tile(mpm *s, int blk, int tile, void *user, double *sum)
 {
     const int body = *(const int *)user;
     const fields *f = s->domain->fields[blk];
@@ -52,7 +52,7 @@ static void sum_tile(mpm *s, int blk, int tile, void *user, double *sum)
     }
 }
 
-static const char *name_of(const mpm *s, const enclosed_gas *r)
+static const char *name_of_gas(const mpm *s, const enclosed_gas *r)
 {
     return r->body < 0 ? "of the cells" : s->scene->body[s->body[r->body].scene_body].name;
 }
@@ -69,7 +69,7 @@ static floe_status expand_gas(const mpm *s, const enclosed_gas *r, double volume
     b->energy[0] = r->energy_first;
     if (volume > 0.0 && point_fluid.stress(&r->par, s->scene->reference_pressure, b) == 0) return FLOE_OK;
     return fail(s->ctx, FLOE_RETRY, "the gas '%s' would be beyond its law: its volume would go from %g to %g m3",
-                name_of(s, r), r->volume_first, volume);
+                name_of_gas(s, r), r->volume_first, volume);
 }
 
 /* Pressure of a gas and dp/de; returns the square of its speed of sound. */
@@ -127,7 +127,7 @@ static void read_loads(const mpm *s, enclosed_gas *r)
 static floe_status begin_points(mpm *s, enclosed_gas *r)
 {
     double sum[SUMS], slope;
-    sum_over_tiles(s, SUMS, sum_tile, &r->body, sum);
+    sum_over_tiles(s, SUMS, sum_volume_tile, &r->body, sum);
     if (!(sum[SUM_VOLUME] > 0.0))
         return fail_key(s->ctx, KEY("bodies", s->scene->body[s->body[r->body].scene_body].name),
                         "the gas has no points: make its shape larger, or the cells smaller");
@@ -142,7 +142,7 @@ static floe_status begin_points(mpm *s, enclosed_gas *r)
 
 enum { MOST_EXPANSIONS = 50 };
 
-/* Gas that is open comes to the pressure of its sides along its isentrope, whatever mass that takes. */
+/* Gas that reaches open sides gets their pressure along its isentrope, exchanging the mass needed. */
 static floe_status begin_open_gas(mpm *s, enclosed_gas *r)
 {
     solid_batch *b = &s->scratch->batch[0];

@@ -1,10 +1,10 @@
-/* Gaps between bodies in contact, from surfaces that their displacements carry. A node sees those of each body with its
- * own weights w_i:
+/* Gaps between bodies in contact, from surfaces that move with the bodies' displacements. A node sees the surface elements of each body with its own weights
+ * w_i:
  *
  *     n ~ sum_a w_i A - sum_b w_i A,     g = mean_b x . n - mean_a x . n,
  *
- * over what faces the other, means by w_i (A . n): the gap that conditions at nodes ask for, to second order in the
- * spacing. Points by themselves say it to a tenth of a cell. */
+ * summed over elements that face the other body, with means weighted by w_i (A . n). This is the gap for conditions at nodes, to second order in the spacing;
+ * from the points alone it is known to a tenth of a cell. */
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
 #include "mpm/implicit/implicit_view.h"
@@ -75,7 +75,7 @@ static void add_to_row(const mpm *s, const seen_element *e, gap_pass pass, conta
     if (pass == GAP_PLACE) r->weight[side] += e->weight * facing;
 }
 
-static void add_element(mpm *s, const seen_element *e, gap_pass pass)
+static void add_gap_element(mpm *s, const seen_element *e, gap_pass pass)
 {
     struct implicit_contact *c = s->implicit->contact;
     if (c->spot_of[e->node] < 0) return;
@@ -96,7 +96,7 @@ static void for_elements(mpm *s, gap_pass pass)
             memcpy(e.area, p->area, sizeof e.area);
             if (e.weight == 0.0 || !bring_inside(s, node, &e)) continue;
             e.node = (int)solve_index(&s->implicit->grid, node[0], node[1], node[2]);
-            add_element(s, &e, pass);
+            add_gap_element(s, &e, pass);
         }
     }
 }

@@ -29,9 +29,9 @@ floe_status enclosed_gases_from_cells(mpm *s)
 
 enum { NO_GAS = -1 };
 
-/* Share of the integral of a node's shape function along an axis that lies in the n-th cell above it; of B-splines, and
- * GIMP is taken as one. */
-static double share_along(int support, int n)
+/* Share of the integral of a node's shape function along an axis that lies in the n-th cell above it; for B-splines,
+ * and GIMP is treated as one. */
+static double cell_share_along(int support, int n)
 {
     const int cell = n < 0 ? -1 - n : n;
     const double external = support < 3 ? 0.0 : support == 3 ? 1.0 / 48.0 : 1.0 / 24.0;
@@ -44,7 +44,7 @@ typedef struct gas_view {
     double share[2];
 } gas_view;
 
-static void add_share(gas_view *v, int gas, double share)
+static void add_gas_share(gas_view *v, int gas, double share)
 {
     const int k = gas == v->gas[0] || v->gas[0] == NO_GAS ? 0 : 1;
     v->gas[k] = gas;
@@ -70,10 +70,10 @@ static gas_view see_gas(const mpm *s, const int node[MESH_MAX_DIM])
                 for (int a = 0; a < m->dim; ++a) {
                     at[a] = m->periodic[a] ? (node[a] + n[a] + m->n[a]) % m->n[a] : node[a] + n[a];
                     inside = inside && at[a] >= 0 && at[a] < m->n[a];
-                    share *= share_along(support, n[a]);
+                    share *= cell_share_along(support, n[a]);
                 }
                 const int found = inside ? s->gas_of[at[0] + m->n[0] * (at[1] + m->n[1] * at[2])] : NO_GAS;
-                if (found != NO_GAS) add_share(&v, found, share);
+                if (found != NO_GAS) add_gas_share(&v, found, share);
             }
     return v;
 }

@@ -361,7 +361,7 @@ static floe_status find_rest(mpm *s, enclosed_gas *gas, double energy, double vo
 }
 
 /* What of the gas is on points. */
-static void add_gas(const mpm *s, const mpm_totals *t, enclosed_gas *gas)
+static void add_gas_of_points(const mpm *s, const mpm_totals *t, enclosed_gas *gas)
 {
     for (int b = 0; b < s->n_bodies; ++b) {
         if (!s->body[b].fluid) continue;
@@ -380,7 +380,7 @@ static floe_status gather_gas(mpm *s, enclosed_gas *gas, double *energy)
     *gas = (enclosed_gas){.body = -1, .scheduled = NAN};
     *energy = 0.0;
     for (int b = 0; b < s->n_bodies; ++b) *energy += t.kinetic[b] + t.strain[b] + t.internal[b];
-    add_gas(s, &t, gas);
+    add_gas_of_points(s, &t, gas);
     if (s->gas) {
         if (s->n_gases != 1)
             return fail_key(s->ctx, KEY("time", "solver"),

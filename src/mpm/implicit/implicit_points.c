@@ -194,7 +194,7 @@ static double largest_displacement(const mpm *s)
     return s->contact ? 0.25 : 1.0;
 }
 
-static floe_status move_point(mpm *s, int blk, int body, size_t k)
+static floe_status move_implicit_point(mpm *s, int blk, int body, size_t k)
 {
     const struct mpm_implicit *w = s->implicit;
     const fields *f = s->domain->fields[blk];
@@ -221,7 +221,7 @@ floe_status implicit_move(mpm *s)
         for (int body = 0; body < s->n_bodies; ++body) {
             const fields *f = s->domain->fields[b];
             const size_t n = s->points[b][body].n;
-            for (size_t k = 0; k < n && !s->body[body].fluid; ++k) TRY(move_point(s, b, body, k));
+            for (size_t k = 0; k < n && !s->body[body].fluid; ++k) TRY(move_implicit_point(s, b, body, k));
             if (fields_has(f, P_TEMP, body)) /* nothing warms it in a step */
                 memcpy(field_next(f, P_TEMP, body, 0), field_get(f, P_TEMP, body, 0), n * sizeof(double));
             for (int c = 0; fields_has(f, P_AFFINE, body) && c < gradients; ++c)

@@ -116,7 +116,8 @@ static int place_in_box(const node_box *box, const int node[MESH_MAX_DIM])
            box->count[0] * (node[1] - box->first[1] + box->count[1] * (node[2] - box->first[2]));
 }
 
-static void list_nodes(const mpm *s, const node_box *box, int *out)
+/* Numbers of the nodes in a box, in the order of the box; periodic axes are wrapped. */
+static void list_patch_nodes(const mpm *s, const node_box *box, int *out)
 {
     const solve_grid *g = &s->implicit->grid;
     for (int k = 0; k < box->count[2]; ++k)
@@ -163,7 +164,7 @@ floe_status implicit_find_patches(mpm *s)
     }
     for (size_t n = 0; n < v->patches; ++n) {
         const node_box box = nodes_about(s, &v->patch[n]);
-        list_nodes(s, &box, v->node + v->patch[n].node);
+        list_patch_nodes(s, &box, v->node + v->patch[n].node);
     }
     return minres_resize(v->solver, s->implicit->components + v->modes);
 }

@@ -30,10 +30,10 @@ typedef struct body_patch {
 struct implicit_volume {
     body_patch *patch; /* owned */
     size_t patches, patches_reserved;
-    size_t modes, modes_reserved;   /* of all patches */
-    size_t listed, listed_reserved; /* points of all patches */
-    size_t *point;                  /* their numbers; owned */
-    double (*phi)[PATCH_MODES];     /* of each listed point; owned */
+    size_t modes;               /* of all patches */
+    size_t listed;              /* points of all patches */
+    size_t *point;              /* their numbers; owned */
+    double (*phi)[PATCH_MODES]; /* of each listed point; owned */
     size_t points_reserved;
     /* Of each point, by its number; owned. m3 at the start; det f - 1, and e; s and P s (Pa); V (det f) f^-T at the components of grad u (m3). */
     double *volume, *own, *shared, *own_stress, *shared_stress, *cofactor;
@@ -61,7 +61,7 @@ floe_status implicit_find_patches(mpm *s);
 void implicit_project_volumes(mpm *s, double *value);
 /* c of every mode, and kappa, with the tangents; where bodies share changes of volume. */
 void implicit_couple_patches(mpm *s);
-/* Solves for the change of the displacement that the residual asks for, `share` of which may be left. */
+/* Solves for the change of the displacement that removes the residual, to the share `share` of it. */
 floe_status implicit_solve_volume(mpm *s, double share);
 
 #endif

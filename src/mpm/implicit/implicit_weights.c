@@ -1,4 +1,4 @@
-/* The basis at the points, with the walls' folds in it. */
+/* Shape functions at the points, including the folds at walls. */
 #include "base/memory.h"
 #include "mpm/implicit/implicit.h"
 #include "mpm/nodes/sides.h"

@@ -123,7 +123,7 @@ double spring_energy(const mpm *s)
     return sum;
 }
 
-/* Largest angular frequency (1/s) at which a spring's ends can swing against each other. */
+/* Largest angular frequency (1/s) with which a spring's ends can oscillate against each other. */
 double spring_rate(const mpm *s, const char **name)
 {
     double worst = 0.0;

@@ -128,7 +128,7 @@ static double measure_enclosure(mpm *s, gas_enclosure *h, enclosure_axis axis[3]
 enum { SUM_WORK, SUM_VOLUME, GAS_SUMS };
 
 /* p V (J, of gauge pressures) and V (m3) of the gas. */
-static void add_gas(mpm *s, int blk, int tile, void *unused, double *sum)
+static void add_gas_in_tile(mpm *s, int blk, int tile, void *unused, double *sum)
 {
     (void)unused;
     for (int body = 0; body < s->n_bodies; ++body) {
@@ -173,7 +173,7 @@ floe_status mpm_enclosed_pressure(mpm *s)
     enclosure_axis axis[3];
     double sum[GAS_SUMS];
     const double area = measure_enclosure(s, h, axis), volume = mean_volume(axis);
-    sum_over_tiles(s, GAS_SUMS, add_gas, NULL, sum);
+    sum_over_tiles(s, GAS_SUMS, add_gas_in_tile, NULL, sum);
     h->pressure = sum[SUM_WORK] / fabs(volume);
     h->growth = fabs(volume) / sum[SUM_VOLUME];
     if (!isfinite(h->pressure) || !isfinite(h->growth) || volume == 0.0)

@@ -137,8 +137,8 @@ static void follow_line(const mpm *s, int blk, int body, size_t start, membrane_
     }
 }
 
-/* Tangents of a chunk, across its normals or along its line; a point that finds none keeps the one it had. A surface in
- * space has no one tangent: it bears no stress along one. */
+/* Tangents of a chunk, normal to its normals or along its curve; a point without one keeps its former tangent. A
+ * surface in space has no single tangent, and no stress along one. */
 static void find_tangents(const mpm *s, int blk, int body, size_t start, bool next, membrane_batch *b)
 {
     const fields *f = s->domain->fields[blk];

@@ -1,7 +1,6 @@
-/* Membranes as surfaces in space: points in no order, their tangent planes across normals that the points themselves
- * give. The step's velocity gradient stretches a point's two material vectors; once normals are known from where the
- * points have gone, the vectors turn into the new tangent plane, and the stress of plane stress in it goes to the axes
- * of the scene (material/sheet.h). */
+/* Membranes as surfaces in space: points without order, with tangent planes normal to the normals that the points themselves determine. The velocity gradient
+ * of the step stretches the two material vectors of a point; when the normals at the new positions are known, the vectors are rotated into the new tangent
+ * plane, and the plane stress is transformed to the axes of the scene (material/sheet.h). */
 #include "mpm/membrane/membrane_sheet.h"
 
 #include "mpm/membrane/membrane_curve.h"

@@ -1,4 +1,4 @@
-/* Area or volume that a membrane encloses: a closed one, or one whose ends lie on mirrors; of a surface in space what its triangles have. */
+/* Area or volume that a membrane encloses, if it is closed or its ends lie on mirrors; for a surface in space that of its triangles. */
 #include "grid/tile_box.h"
 #include "mpm/membrane/membrane_curve.h"
 #include "mpm/surface/membrane_boundary.h"
@@ -162,7 +162,7 @@ typedef struct enclosure_sum {
     int body;
 } enclosure_sum;
 
-static void add_tile(mpm *s, int blk, int tile, void *user, double *sum)
+static void add_membrane_tile(mpm *s, int blk, int tile, void *user, double *sum)
 {
     const enclosure_sum *e = user;
     for (int k = 0; k < s->n_bodies && s->mesh->dim == 2; ++k)
@@ -175,7 +175,7 @@ void mpm_membrane_enclosure(mpm *s, int body, membrane_enclosure *out)
     const contour o = contour_of(s, body);
     double sum[MEMBRANE_SUMS];
     membrane_curve_update(s, body, false);
-    sum_over_tiles(s, MEMBRANE_SUMS, add_tile, &(enclosure_sum){&o, body}, sum);
+    sum_over_tiles(s, MEMBRANE_SUMS, add_membrane_tile, &(enclosure_sum){&o, body}, sum);
     out->size = s->mesh->dim == 3 ? membrane_volume(s, body) : size_of(&o, NULL);
     out->pressure = sum[SUM_PRESSURE] / out->size;
     out->outside = sum[SUM_OUTSIDE];

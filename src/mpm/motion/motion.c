@@ -97,24 +97,24 @@ static double share_before(const mpm *s)
 
 static void start_prescribed(const mpm *s, body_motion *m)
 {
-    double way[3], axis[3], angle, spin;
+    double travelled[3], axis[3], angle, spin;
     const double t = s->time;
     motion_rates(m->given, t, m->now.v, &spin);
     motion_axis(m->given, axis);
-    motion_travel(m->given, 0.0, t, way, &angle);
+    motion_travel(m->given, 0.0, t, travelled, &angle);
     for (int a = 0; a < 3; ++a) {
         const double about = m->given->about[a];
-        m->now.c[a] = isnan(about) ? m->sums.centre[a] : about + way[a];
+        m->now.c[a] = isnan(about) ? m->sums.centre[a] : about + travelled[a];
         m->now.w[a] = spin * axis[a];
     }
     m->next = m->end = m->now;
-    motion_travel(m->given, t, t + s->dt, way, &angle);
+    motion_travel(m->given, t, t + s->dt, travelled, &angle);
     motion_rates(m->given, t + s->dt, m->end.v, &spin);
     rigid_rotation(axis, angle, m->turn);
     for (int a = 0; a < 3; ++a) {
-        m->next.v[a] = way[a] / s->dt;
+        m->next.v[a] = travelled[a] / s->dt;
         m->next.w[a] = angle / s->dt * axis[a];
-        m->end.c[a] = m->now.c[a] + way[a];
+        m->end.c[a] = m->now.c[a] + travelled[a];
         m->end.w[a] = spin * axis[a];
     }
 }

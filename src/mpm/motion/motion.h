@@ -1,9 +1,8 @@
-/* Bodies that do not deform: fixed, driven as prescribed, or free rigid ones (theory 4.17).
+/* Bodies that do not deform: fixed, prescribed, or free rigid ones (theory 4.17).
  *
- * Such a body has a velocity group of its own, after those of all others. Its nodes take the field of a rigid motion, its
- * points are moved by that motion itself, and their stress stays zero. What others give the body (gas on its surface,
- * contact, cells) is summed up as one impulse and one moment. A free body is accelerated by these; for a prescribed
- * one the difference between them and what the motion needs is an entry of the ledger, as that of a support is. */
+ * Such a body has a velocity group of its own, after those of all others. Its nodes have the velocities of a rigid motion, its points are moved by that
+ * motion exactly, and their stress stays zero. The actions of others on the body (gas on its surface, contact, cells) are summed to one impulse and one
+ * moment. They accelerate a free body; for a prescribed body their difference from the change of momentum is entered in the ledger, as for a support. */
 #ifndef MPM_MOTION_H
 #define MPM_MOTION_H
 

@@ -1,4 +1,4 @@
-/* Free rigid bodies and those that they touch: both move as their masses together say. */
+/* Free rigid bodies, and the deforming bodies that stick to them: both are accelerated with their joint mass and inertia. */
 #include "mpm/motion/motion_parts.h"
 
 #include "math/small_solve.h"
@@ -10,7 +10,7 @@
 
 enum { DOFS = 6, SUM_LOAD = DOFS * DOFS, SUM_JOINED = SUM_LOAD + DOFS };
 
-/* The velocity at r from the centre by a unit of each way to move. */
+/* The velocity at r from the centre by a unit of each degree of freedom. */
 static void unit_motion(int dof, const double r[3], double v[3])
 {
     const int a = dof % 3, b = (a + 1) % 3, c = (a + 2) % 3;
@@ -23,28 +23,28 @@ static void unit_motion(int dof, const double r[3], double v[3])
     v[c] = r[b];
 }
 
-/* Masses and momenta of what sticks to a body at a node, in each of its ways to move. */
+/* Masses and momenta of what sticks to a body at a node, for each of its degrees of freedom. */
 static void join_node(mpm *s, int blk, ptrdiff_t at, const double x[3], const void *user, double *sum)
 {
     const int body_group = *(const int *)user;
     const fields *f = s->domain->fields[blk];
     const body_motion *m = motion_of_group(s, body_group);
-    double r[3], way[DOFS][3];
+    double r[3], mode[DOFS][3];
     if (leader_at(s, f, at) != body_group) return;
     for (int a = 0; a < 3; ++a) r[a] = x[a] - m->now.c[a];
-    for (int d = 0; d < DOFS; ++d) unit_motion(d, r, way[d]);
+    for (int d = 0; d < DOFS; ++d) unit_motion(d, r, mode[d]);
     for (int g = 0; g < s->n_deforming_groups; ++g) {
         const double mass = field_get(f, N_MASS, g, 0)[at];
         if (!(mass > 0.0) || !sticks_to_motions(s, g)) continue;
         for (int d = 0; d < DOFS; ++d)
             for (int a = 0; a < s->mesh->dim; ++a) {
-                sum[SUM_LOAD + d] += mass * way[d][a] * field_get(f, N_VEL_L, g, a)[at];
-                for (int e = 0; e < DOFS; ++e) sum[DOFS * d + e] += mass * way[d][a] * way[e][a];
+                sum[SUM_LOAD + d] += mass * mode[d][a] * field_get(f, N_VEL_L, g, a)[at];
+                for (int e = 0; e < DOFS; ++e) sum[DOFS * d + e] += mass * mode[d][a] * mode[e][a];
             }
     }
 }
 
-/* (mass + joined) of the ways that the body has to move, solved for what `load` gives; others stay 0. */
+/* (mass + joined) of the degrees of freedom of the body, solved for what `load` gives; others stay 0. */
 static void solve_dofs(const body_motion *m, const double joined[DOFS * DOFS], const double load[DOFS],
                        double out[DOFS])
 {
@@ -143,17 +143,17 @@ static void add_contact(mpm *s, int blk, ptrdiff_t at, const double x[3], const 
     const int group = *(const int *)user;
     const body_motion *m = motion_of_group(s, group);
     const free_contact c = look_at_contact(s, s->domain->fields[blk], group, at, x);
-    double r[3], way[DOFS][3];
+    double r[3], mode[DOFS][3];
     if (!c.found) return;
     for (int a = 0; a < 3; ++a) r[a] = x[a] - m->now.c[a];
-    for (int d = 0; d < DOFS; ++d) unit_motion(d, r, way[d]);
+    for (int d = 0; d < DOFS; ++d) unit_motion(d, r, mode[d]);
     for (int d = 0; d < DOFS; ++d)
-        for (int a = 0; a < s->mesh->dim; ++a) sum[SUM_LOAD + d] += way[d][a] * c.impulse[a];
+        for (int a = 0; a < s->mesh->dim; ++a) sum[SUM_LOAD + d] += mode[d][a] * c.impulse[a];
     for (int e = 0; e < DOFS; ++e) {
-        double followed[3] = {way[e][0], way[e][1], way[e][2]};
+        double followed[3] = {mode[e][0], mode[e][1], mode[e][2]};
         follow_change(&c, followed);
         for (int d = 0; d < DOFS; ++d)
-            for (int a = 0; a < s->mesh->dim; ++a) sum[DOFS * d + e] += c.mass * way[d][a] * followed[a];
+            for (int a = 0; a < s->mesh->dim; ++a) sum[DOFS * d + e] += c.mass * mode[d][a] * followed[a];
     }
 }
 
@@ -170,8 +170,8 @@ typedef struct node_change {
     uint32_t touched; /* N_TOUCH */
 } node_change;
 
-static bool change_at(const mpm *s, const contact_change *change, const fields *f, ptrdiff_t at, const double x[3],
-                      node_change *out)
+static bool velocity_change_at(const mpm *s, const contact_change *change, const fields *f, ptrdiff_t at,
+                               const double x[3], node_change *out)
 {
     out->contact = look_at_contact(s, f, change->group, at, x);
     if (!out->contact.found) return false;
@@ -187,7 +187,7 @@ static void add_gain(mpm *s, int blk, ptrdiff_t at, const double x[3], const voi
     const fields *f = s->domain->fields[blk];
     node_change c;
     bool slides;
-    if (!change_at(s, user, f, at, x, &c)) return;
+    if (!velocity_change_at(s, user, f, at, x, &c)) return;
     for (int g = 0; g < s->n_deforming_groups; ++g) {
         if (!touches(c.touched, g, &slides)) continue;
         const double mass = field_get(f, N_MASS, g, 0)[at];
@@ -205,7 +205,7 @@ static void change_node(mpm *s, int blk, ptrdiff_t at, const double x[3], void *
     const fields *f = s->domain->fields[blk];
     node_change c;
     bool slides;
-    if (!change_at(s, user, f, at, x, &c)) return;
+    if (!velocity_change_at(s, user, f, at, x, &c)) return;
     const double own = field_get(f, N_MASS, group, 0)[at];
     for (int a = 0; a < s->mesh->dim; ++a) {
         for (int g = 0; g < s->n_deforming_groups; ++g)
@@ -219,13 +219,13 @@ void share_contacts(mpm *s)
     for (int g = s->n_deforming_groups; g < s->n_groups; ++g) {
         const body_motion *m = motion_of_group(s, g);
         contact_change change = {.group = g};
-        double sum[SUM_JOINED], way[DOFS], gain;
+        double sum[SUM_JOINED], mode[DOFS], gain;
         if (motion_is_prescribed(m->given)) continue;
         motion_sum_nodes(s, add_contact, &g, SUM_JOINED, sum);
-        solve_dofs(m, sum, sum + SUM_LOAD, way);
+        solve_dofs(m, sum, sum + SUM_LOAD, mode);
         memcpy(change.field.c, m->now.c, sizeof m->now.c);
-        memcpy(change.field.v, way, sizeof change.field.v);
-        memcpy(change.field.w, way + 3, sizeof change.field.w);
+        memcpy(change.field.v, mode, sizeof change.field.v);
+        memcpy(change.field.w, mode + 3, sizeof change.field.w);
         motion_sum_nodes(s, add_gain, &change, 1, &gain);
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_CONTACT, gain);
         motion_visit_nodes(s, change_node, &change);

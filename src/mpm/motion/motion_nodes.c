@@ -1,5 +1,5 @@
-/* Nodes of bodies that do not deform. What others do to such a body at its nodes shows as a change of its nodes' velocity,
- * as with any body; the impulses are summed up here, and the nodes take the rigid field again. */
+/* Nodes of bodies that do not deform. Others change the velocities of these nodes, as of any body; here the impulses are summed, and the nodes get the rigid
+ * velocity field again. */
 #include "mpm/motion/motion.h"
 
 #include "grid/tile_box.h"
@@ -38,7 +38,7 @@ void rigid_at(const mpm *s, const body_motion *m, const imposed *what, const dou
         if (what->zero || (s->mesh->geometry == MESH_AXISYMMETRIC && a == 0)) v[a] = 0.0;
 }
 
-static void impose_node(mpm *s, int blk, ptrdiff_t at, const double x[3], void *user)
+static void impose_motion_node(mpm *s, int blk, ptrdiff_t at, const double x[3], void *user)
 {
     const imposed *what = user;
     const fields *f = s->domain->fields[blk];
@@ -53,7 +53,7 @@ static void impose_node(mpm *s, int blk, ptrdiff_t at, const double x[3], void *
 
 void motions_impose(mpm *s, field_id field, bool now)
 {
-    if (s->motions) motion_visit_nodes(s, impose_node, &(imposed){field, now, false});
+    if (s->motions) motion_visit_nodes(s, impose_motion_node, &(imposed){field, now, false});
 }
 
 /* ---- bodies that stick to it ---- */
@@ -159,7 +159,7 @@ static void take_impulses(mpm *s, imposed what, double share, motion_giver giver
         }
         motion_give(s, motion_of_group(s, g), impulse, moment, share * sum[SUM_WORK], giver);
     }
-    motion_visit_nodes(s, impose_node, &what);
+    motion_visit_nodes(s, impose_motion_node, &what);
 }
 
 /* What ties give others: impulses times the mean velocities before and after. */
@@ -248,7 +248,7 @@ floe_status mpm_join_motions(mpm *s)
     if (s->contact) share_contacts(s);
     take_impulses(s, what, 1.0, MOTION_BY_CONTACT);
     join_free_bodies(s);
-    motion_visit_nodes(s, impose_node, &what);
+    motion_visit_nodes(s, impose_motion_node, &what);
     enter_ties(s);
     motion_visit_nodes(s, tie_node, &what);
     take_impulses(s, what, 1.0, MOTION_BY_CONTACT);
@@ -259,14 +259,14 @@ void motions_impose_tied(mpm *s, field_id velocity, bool now)
 {
     imposed what = {velocity, now, false};
     if (!s->motions) return;
-    motion_visit_nodes(s, impose_node, &what);
+    motion_visit_nodes(s, impose_motion_node, &what);
     motion_visit_nodes(s, tie_node, &what);
-    motion_visit_nodes(s, impose_node, &what);
+    motion_visit_nodes(s, impose_motion_node, &what);
 }
 
 void motions_still(mpm *s, field_id change)
 {
-    if (s->motions) motion_visit_nodes(s, impose_node, &(imposed){change, false, true});
+    if (s->motions) motion_visit_nodes(s, impose_motion_node, &(imposed){change, false, true});
 }
 
 void motions_constrain(mpm *s, field_id change, double share)

@@ -1,4 +1,4 @@
-/* Points of bodies that do not deform: their sums, and where a rigid motion takes them. */
+/* Points of bodies that do not deform: their mass, centre and inertia, and their motion. */
 #include "mpm/motion/motion.h"
 
 #include "grid/tile_box.h"
@@ -32,7 +32,7 @@ static int first_axis(const mpm *s)
     return s->mesh->geometry == MESH_AXISYMMETRIC ? 1 : 0;
 }
 
-static void add_tile(mpm *s, int blk, int tile, void *user, double *sum)
+static void add_inertia_tile(mpm *s, int blk, int tile, void *user, double *sum)
 {
     const int body = *(const int *)user;
     const size_t *at = s->points[blk][body].tile_start;
@@ -78,7 +78,7 @@ void rigid_sum_points(mpm *s, int body, rigid_sums *out)
 {
     double sum[SUM_END], turning[SUM_TURNING], velocity[3] = {0.0};
     memset(out, 0, sizeof *out);
-    sum_over_tiles(s, SUM_END, add_tile, &body, sum);
+    sum_over_tiles(s, SUM_END, add_inertia_tile, &body, sum);
     if (!(sum[SUM_MASS] > 0.0)) return; /* all of it has left */
     out->mass = sum[SUM_MASS];
     for (int a = 0; a < 3; ++a) {
@@ -161,7 +161,7 @@ static floe_status refuse_side(const mpm *s, const body_motion *m)
                 s->time, scene_time_unit(s->scene), s->scene->body[s->body[m->body].scene_body].name);
 }
 
-static floe_status move_point(mpm *s, const body_motion *m, int blk, int tile, size_t k)
+static floe_status move_rigid_point(mpm *s, const body_motion *m, int blk, int tile, size_t k)
 {
     const fields *f = s->domain->fields[blk];
     double x[3] = {0.0}, next[3], v[3];
@@ -210,7 +210,7 @@ floe_status rigid_move_points(mpm *s, const body_motion *m)
         for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
             const size_t *at = s->points[b][m->body].tile_start;
             const int number = tile_box_of(s->mesh, &s->mesh->block[b], t).number;
-            for (size_t k = at[t]; k < at[t + 1]; ++k) TRY(move_point(s, m, b, number, k));
+            for (size_t k = at[t]; k < at[t + 1]; ++k) TRY(move_rigid_point(s, m, b, number, k));
         }
     return FLOE_OK;
 }

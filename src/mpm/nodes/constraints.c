@@ -25,7 +25,8 @@ unsigned node_constraints(const mpm *s, int group, const int node[MESH_MAX_DIM])
 }
 
 /* One component on a whole side. */
-static void visit_side(const mesh *m, int axis, int side, int c, double velocity, constraint_visitor *visit, void *user)
+static void visit_constrained_side(const mesh *m, int axis, int side, int c, double velocity, constraint_visitor *visit,
+                                   void *user)
 {
     int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
     side_node_range(m, axis, side, lo, hi);
@@ -41,7 +42,7 @@ void visit_constraints(const mpm *s, int group, constraint_visitor *visit, void 
         for (int side = 0; side < 2 && !m->periodic[axis]; ++side)
             for (int c = 0; c < m->dim; ++c)
                 if (wall_constrains(s, group, axis, side, c))
-                    visit_side(m, axis, side, c, wall_target(s, axis, side, c), visit, user);
+                    visit_constrained_side(m, axis, side, c, wall_target(s, axis, side, c), visit, user);
     for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *support = &s->supports->node[k];
         int node[MESH_MAX_DIM] = {0, 0, 0};

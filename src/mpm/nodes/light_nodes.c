@@ -1,13 +1,13 @@
-/* Light nodes, of the linear basis and GIMP with points that carry the motion about them.
+/* Light nodes, with the linear basis and GIMP and points that carry the gradient of the velocity about them.
  *
- * Such points give a node back what they took of it: a node that one point reaches with the weight S keeps its velocity, and is a mass S m_p on
- * a spring of the point's whole stiffness. With hats no step is small enough for all S (theory 4.4). So accelerations a are replaced by
+ * Such points give back to a node the velocity that they took from it: a node that one point reaches with the weight S keeps its velocity, and is a mass S
+ * m_p on a spring of the whole stiffness of the point. With hat functions no step is small enough for all S (theory 4.4). So accelerations a are replaced by
  *
  *     a - (1 - Q) W (1 - Q) a,
  *
- * Q what points give back of a velocity, W = max(0, 1 - m_i/m) with m the mean mass of the node's points: a light node is accelerated as its points
- * are. With hats Q takes no moments: with them one point gives back all of it. (1 - Q) v has no momentum, and is nothing for uniform motion; Q and W are
- * symmetric in the nodal masses, so that no step makes energy. */
+ * with Q v the velocities that points give back of v, W = max(0, 1 - m_i/m) and m the mean mass of the node's points: a light node is accelerated as its
+ * points are. With hat functions Q excludes the gradient, with which one point gives back everything. (1 - Q) v has no momentum and vanishes for uniform
+ * motion; Q and W are symmetric with respect to the nodal masses, so that no step creates energy. */
 #include "mpm/nodes/light_nodes.h"
 
 #include "grid/tile_box.h"
@@ -79,7 +79,7 @@ static void give_group(mpm *s, int group, light_gift gift)
 }
 
 /* r = kick a. */
-static void start_residuals(mpm *s, int group)
+static void start_light_residuals(mpm *s, int group)
 {
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int c = 0; c < s->mesh->dim; ++c) {
@@ -144,7 +144,7 @@ static void take_residuals(mpm *s, int group)
 floe_status mpm_spare_light_nodes(mpm *s)
 {
     for (int g = 0; g < s->n_deforming_groups; ++g) {
-        start_residuals(s, g);
+        start_light_residuals(s, g);
         subtract_mean(s, g, 0.0);
         keep_light(s, g);
         subtract_mean(s, g, -1.0);

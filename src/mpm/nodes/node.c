@@ -1,4 +1,4 @@
-/* What happens at the nodes between the two passes over the points. */
+/* Stages at the nodes between the two passes over the points. */
 #include "mpm/nodes/node.h"
 
 #include "grid/tile_box.h"

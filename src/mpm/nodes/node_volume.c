@@ -1,10 +1,10 @@
-/* Volumes of nodes: of their shape functions, as sides and the axis cut them. */
+/* Volumes of nodes: integrals of their shape functions, cut by sides and by the axis. */
 #include "mpm/nodes/node.h"
 #include "mpm/nodes/sides.h"
 
 /* Volume of a node's shape function along an axis in cells. The first ghost has a share of what is inside the mesh: the wall's own fold
  * gives twice as much to the node on the wall and takes it of the next. */
-static double share_along(const mpm *s, int group, int axis, int node)
+static double node_share_along(const mpm *s, int group, int axis, int node)
 {
     if (s->mesh->periodic[axis]) return 1.0;
     const int side = 2 * node > s->mesh->n[axis] ? SIDE_UPPER : SIDE_LOWER;
@@ -19,7 +19,7 @@ double node_volume(const mpm *s, int group, const int at[MESH_MAX_DIM])
 {
     double volume = 1.0;
     const double r = mesh_node(s->mesh, 0, at[0]), h = s->mesh->h[0];
-    for (int a = 0; a < s->mesh->dim; ++a) volume *= s->mesh->h[a] * share_along(s, group, a, at[a]);
+    for (int a = 0; a < s->mesh->dim; ++a) volume *= s->mesh->h[a] * node_share_along(s, group, a, at[a]);
     if (s->mesh->geometry != MESH_AXISYMMETRIC) return volume;
     return r > 0.5 * h ? volume * r : volume / 0.5 * s->basis->fact.axis_moment * h;
 }

@@ -1,4 +1,4 @@
-/* What sides of the domain are to a velocity field: questions alone (wall.c, wall_side.c). */
+/* Properties of the sides of the domain for a velocity group (wall.c, wall_side.c). */
 #ifndef MPM_SIDES_H
 #define MPM_SIDES_H
 

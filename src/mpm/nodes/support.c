@@ -1,5 +1,5 @@
-/* Supports: nodes inside a region whose velocity is given, as walls give it on the sides of the mesh. York's nets and
- * pendulums hang on walls; a support is for what hangs elsewhere. */
+/* Supports: nodes inside a region whose velocity is prescribed, as walls prescribe it on the sides of the mesh. York's nets and pendulums are fixed at walls;
+ * a support fixes bodies elsewhere. */
 #include "base/memory.h"
 #include "mpm/nodes/supports.h"
 
@@ -10,7 +10,7 @@ typedef struct support_list {
     size_t n, capacity;
 } support_list;
 
-static floe_status add_node(mpm *s, support_list *list, const int node[3], int support)
+static floe_status add_support_node(mpm *s, support_list *list, const int node[3], int support)
 {
     if (list->n == list->capacity) {
         list->capacity = list->capacity ? 2 * list->capacity : 64;
@@ -34,7 +34,8 @@ static floe_status find_nodes(mpm *s, support_list *list, int support)
                 const int node[3] = {i, j, k};
                 double x[3] = {0.0};
                 for (int a = 0; a < m->dim; ++a) x[a] = mesh_node(m, a, node[a]);
-                if (shape_inside(&s->scene->support[support].region, m->dim, x)) TRY(add_node(s, list, node, support));
+                if (shape_inside(&s->scene->support[support].region, m->dim, x))
+                    TRY(add_support_node(s, list, node, support));
             }
     return FLOE_OK;
 }
@@ -55,7 +56,8 @@ floe_status start_supports(mpm *s)
 }
 
 /* A share of the impulse that a support is about to give, of the node's owner; `change`: the field is one, and is to be zero. */
-static void enter_impulse(mpm *s, const support_node *node, int group, field_id velocity, double share, bool change)
+static void enter_support_impulse(mpm *s, const support_node *node, int group, field_id velocity, double share,
+                                  bool change)
 {
     int cell[3];
     for (int a = 0; a < 3; ++a)
@@ -78,7 +80,7 @@ static void hold_nodes(mpm *s, int group, field_id field, double entered, bool c
 {
     for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *node = &s->supports->node[k];
-        if (entered != 0.0) enter_impulse(s, node, group, field, entered, change);
+        if (entered != 0.0) enter_support_impulse(s, node, group, field, entered, change);
         for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
             const block *b = &s->mesh->block[blk];
             int local[3];

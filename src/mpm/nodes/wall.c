@@ -259,7 +259,7 @@ static void add_impulse(void *user, int blk, const int node[MESH_MAX_DIM], ptrdi
     }
 }
 
-static void enter_impulse(mpm *s, const wall_rule *r, double share)
+static void enter_wall_impulse(mpm *s, const wall_rule *r, double share)
 {
     for (int c = 0; c < s->mesh->dim; ++c)
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, share * r->impulse[c]);
@@ -267,7 +267,7 @@ static void enter_impulse(mpm *s, const wall_rule *r, double share)
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, share * r->work);
 }
 
-static void impose_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+static void impose_wall_node(void *user, ptrdiff_t at, ptrdiff_t inward)
 {
     (void)inward;
     const wall_rule *r = user;
@@ -294,9 +294,9 @@ static void impose_side(mpm *s, int axis, int side, int group, field_id velocity
     wall_rule rule = wall_rule_of(s, axis, side, group, velocity);
     if (entered != 0.0) {
         wall_visit_once(s->mesh, axis, side, add_impulse, &rule);
-        enter_impulse(s, &rule, entered);
+        enter_wall_impulse(s, &rule, entered);
     }
-    visit_side_blocks(s, axis, side, &rule, impose_node);
+    visit_side_blocks(s, axis, side, &rule, impose_wall_node);
 }
 
 void impose_walls(mpm *s, int group, field_id velocity, double entered)
@@ -331,9 +331,9 @@ static void still_side(mpm *s, int axis, int side, int group, field_id field, do
     wall_rule rule = wall_rule_of(s, axis, side, group, field);
     rule.scale = scale;
     wall_visit_once(s->mesh, axis, side, still_sum, &rule);
-    enter_impulse(s, &rule, 1.0);
+    enter_wall_impulse(s, &rule, 1.0);
     memset(rule.target, 0, sizeof rule.target); /* of the change */
-    visit_side_blocks(s, axis, side, &rule, impose_node);
+    visit_side_blocks(s, axis, side, &rule, impose_wall_node);
 }
 
 void still_walls(mpm *s, int group)

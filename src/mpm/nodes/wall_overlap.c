@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-static double modulus_of(const mpm_body *b)
+static double wave_modulus_of(const mpm_body *b)
 {
     if (b->membrane.model) return b->membrane.model->modulus(b->membrane.par, b->membrane.biaxial);
     return b->law->bulk_modulus(b->law_par) + 4.0 / 3.0 * b->law->shear_modulus(b->law_par);
@@ -18,9 +18,9 @@ static double modulus_of(const mpm_body *b)
 static overlap_surface surface_of(const mpm *s, const mpm_body *b)
 {
     overlap_surface r = {.flows = (double)INFINITY};
-    r.speed = sqrt(modulus_of(b) / s->scene->material[b->scene_material].density);
-    /* Domains of CPDI are cut at such sides, and what overlaps them is cut to small volume fractions whose slopes tear
-     * the body: it is all but stopped at once. */
+    r.speed = sqrt(wave_modulus_of(b) / s->scene->material[b->scene_material].density);
+    /* CPDI domains are cut at such sides, and overlapping ones are cut to small volume fractions whose gradients
+     * tear the body: it is stopped almost at once. */
     if (s->basis->fact.shaped)
         r.flows = MPM_SIDE_YIELD;
     else if (!b->membrane.model && b->law->yield_stress)
@@ -40,7 +40,7 @@ static void rank_bodies(const mpm *s, struct mpm_overlaps *o)
     }
 }
 
-static size_t all_nodes(const struct mpm_overlaps *o)
+static size_t overlap_nodes(const struct mpm_overlaps *o)
 {
     return (size_t)o->nodes[0] * (size_t)o->nodes[1] * (size_t)o->nodes[2];
 }
@@ -63,7 +63,7 @@ static void count_sides(mpm *s, struct mpm_overlaps *o)
             for (int side = 0; side < 2; ++side) {
                 if (!wall_lets_go(s, g, a, side)) continue;
                 o->side[g][a][side] = o->n;
-                o->n += all_nodes(o) / (size_t)o->nodes[a];
+                o->n += overlap_nodes(o) / (size_t)o->nodes[a];
             }
 }
 

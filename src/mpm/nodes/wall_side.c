@@ -85,7 +85,7 @@ static bool is_at_side(const mpm *s, const tile_box *t, int axis, int side)
                               : t->first[axis] + t->cells[axis] + s->windows->reach >= s->mesh->n[axis];
 }
 
-static void scatter_body(const mpm *s, int blk, int body, const tile_box *t, const size_t range[2], double *out)
+static void scatter_side(const mpm *s, int blk, int body, const tile_box *t, const size_t range[2], double *out)
 {
     const mesh *m = s->mesh;
     const point_arrays p = points_of(s, blk, body, false, false);
@@ -115,7 +115,7 @@ static void scatter_reach_at_sides(mpm *s, int group, int blk, int tile)
     double *out = start_reach(s, &box, s->mesh->dim + 1);
     for (int body = 0; body < s->n_bodies; ++body) {
         const size_t *start = s->points[blk][body].tile_start + tile;
-        if (s->body[body].group == group && start[0] < start[1]) scatter_body(s, blk, body, &box, start, out);
+        if (s->body[body].group == group && start[0] < start[1]) scatter_side(s, blk, body, &box, start, out);
     }
 }
 

@@ -1,10 +1,8 @@
-/* Normals of bodies on the grid: the gradient of a function that falls from the inside of a body to its outside,
- * smoothed over the nodes. One file adds one: normal_<name>.c ends in a const descriptor `normal_<name>`, a smoothing
- * kernel along an axis; the kernel of a node is the product over the axes, and
+/* Normals of bodies on the grid: the gradient of a function that decreases from the inside of a body to its outside, smoothed over the nodes. One file adds
+ * one: normal_<name>.c ends in a const descriptor `normal_<name>`, a smoothing kernel along an axis; the kernel of a node is the product over the axes, and
  *     phi_i = sum_p V0_p (kernel of node i at x_p),   n_i = sum_p V0_p grad_p (kernel) / phi_i = -grad phi/phi.
- * A pair of bodies has the normal n_a - n_b, along the gradient of phi_b/(phi_a + phi_b): opposite for b, and ruled by
- * the body that the node lies at the edge of, since far inside a body grad phi is noise, and a thin one has the same n
- * as a thick one. */
+ * A pair of bodies has the normal n_a - n_b, along the gradient of phi_b/(phi_a + phi_b): opposite for b, and dominated by the body near whose edge the node
+ * lies. Far inside a body grad phi is noise, and with this quotient a thin body has the same n as a thick one. */
 #ifndef MPM_NORMAL_NORMAL_H
 #define MPM_NORMAL_NORMAL_H
 

@@ -129,7 +129,7 @@ floe_status mpm_burn(mpm *s)
     return FLOE_OK;
 }
 
-/* Counts the points of a tile that are gone. */
+/* Counts the points of a tile that have been removed. */
 static int commit_tile(const mpm *s, int blk, int body, const size_t range[2])
 {
     const fields *f = s->domain->fields[blk];

@@ -1,6 +1,6 @@
-/* What points of bodies that are all but incompressible share (mean_strain.h). A node has as many velocities as the scene has dimensions, and the
- * points of a cell, each with a volume of its own to keep, ask for more than that: what hardly changes its volume then hardly moves, or bears by
- * pressures that cancel between points. Strain and force share in the same way, so that the nodes' work is what the points store. */
+/* Shared strain and pressure of nearly incompressible bodies (mean_strain.h). A node has as many velocities as the scene has dimensions, while each point of
+ * a cell constrains its own volume: there are more constraints than velocities. A body that hardly changes its volume then hardly moves (locking), or its
+ * pressures cancel between points. Strain and force are shared by the same projection, so that the work of the nodes is the energy that the points store. */
 #include "mpm/state/mean_strain.h"
 
 #include "mpm/mpm_constants.h"
@@ -54,17 +54,21 @@ static double rate_of_volume(const solid_batch *b, size_t k)
     return b->L[0][k] + b->L[4][k] + b->L[8][k];
 }
 
-/* The axes that strain: two in the plane, three about an axis. */
-static int straining_axes(const mpm *s)
+int straining_axes(const mpm *s)
 {
     return s->mesh->geometry == MESH_AXISYMMETRIC ? 3 : s->mesh->dim;
 }
 
-static void set_rate_of_volume(const mpm *s, solid_batch *b, size_t k, double rate)
+int diagonal_of(const mpm *s, int axis)
+{
+    return axis < s->mesh->dim ? 4 * axis : 8;
+}
+
+void set_rate_of_volume(const mpm *s, solid_batch *b, size_t k, double rate)
 {
     const int axes = straining_axes(s);
     const double more = (rate - rate_of_volume(b, k)) / axes;
-    for (int a = 0; a < axes; ++a) b->L[a < s->mesh->dim ? 4 * a : 8][k] += more;
+    for (int a = 0; a < axes; ++a) b->L[diagonal_of(s, a)][k] += more;
 }
 
 static void take_means_of_cells(const mpm *s, int blk, int body, size_t start, solid_batch *b, double *growth)

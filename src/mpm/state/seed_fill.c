@@ -23,7 +23,7 @@ typedef struct cell_contents {
     bool *solid; /* some point of a solid is there */
 } cell_contents;
 
-static size_t cell_of(const mesh *m, const seed_list *list, size_t n)
+static size_t seed_cell_of(const mesh *m, const seed_list *list, size_t n)
 {
     size_t cell = 0;
     for (int a = m->dim - 1; a >= 0; --a) cell = cell * (size_t)m->n[a] + (size_t)list->cell[a][n];
@@ -51,7 +51,7 @@ static floe_status add_shape(const mpm *s, int body, double *sum)
     spec.merge = 0.0;
     seed_list list;
     TRY(seed_shape(&list, s->ctx, &b->shape, &spec));
-    for (size_t n = 0; n < list.n; ++n) sum[cell_of(s->mesh, &list, n)] += list.volume[n];
+    for (size_t n = 0; n < list.n; ++n) sum[seed_cell_of(s->mesh, &list, n)] += list.volume[n];
     seed_list_free(s->ctx, &list);
     return FLOE_OK;
 }
@@ -61,7 +61,7 @@ static floe_status add_contents(const mpm *s, const seed_list *list, cell_conten
     for (int body = 0; body < s->n_bodies; ++body) {
         if (!is_membrane(s, body)) TRY(add_shape(s, body, c->shape));
         for (size_t n = 0; n < list[body].n; ++n) {
-            const size_t cell = cell_of(s->mesh, &list[body], n);
+            const size_t cell = seed_cell_of(s->mesh, &list[body], n);
             if (!is_membrane(s, body)) c->points[cell] += list[body].volume[n];
             if (!s->body[body].fluid) c->solid[cell] = true;
         }
@@ -73,7 +73,7 @@ static void fill_fluid_cells(const mpm *s, const cell_contents *c, seed_list *li
 {
     for (int body = 0; body < s->n_bodies; ++body)
         for (size_t n = 0; s->body[body].fluid && n < list[body].n; ++n) {
-            const size_t cell = cell_of(s->mesh, &list[body], n);
+            const size_t cell = seed_cell_of(s->mesh, &list[body], n);
             if (!c->solid[cell]) list[body].volume[n] *= c->shape[cell] / c->points[cell];
         }
 }

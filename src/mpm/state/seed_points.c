@@ -16,7 +16,7 @@
 
 #include <math.h>
 
-/* A law that goes by F has the stress that the point starts with by its strain. */
+/* With a law that depends on F, the strain determines the initial stress of the point. */
 static floe_status set_strain(mpm *s, int blk, int body, size_t k, const double stress[6])
 {
     static const int slot[3][9] = {{0, 4, 8}, {0, 1, 3, 4, 8}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};

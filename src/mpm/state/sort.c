@@ -1,4 +1,4 @@
-/* The order of points: by tile, then cell, then id, whatever their history; and what becomes of points that leave. */
+/* The order of points: by tile, then cell, then id, independent of their history; and points that leave the domain. */
 #include "base/memory.h"
 #include "grid/tile_box.h"
 #include "mpm/edge/edge.h"

@@ -78,7 +78,7 @@ static void add_points(const mpm *s, const tile_box *t, const point_arrays *p, s
     }
 }
 
-static void add_tile(mpm *s, int blk, int tile, void *user, double *sum)
+static void add_spin_tile(mpm *s, int blk, int tile, void *user, double *sum)
 {
     const int body = *(const int *)user;
     const point_arrays p = points_of(s, blk, body, false, false);
@@ -97,7 +97,7 @@ void mpm_angular_momentum(mpm *s, int body, double out[3], double size[3])
     memset(size, 0, 3 * sizeof *size);
     if (s->mesh->dim == 1) return; /* along a line nothing turns */
     double all[SUM_END];
-    sum_over_tiles(s, SUM_END, add_tile, &body, all);
+    sum_over_tiles(s, SUM_END, add_spin_tile, &body, all);
     memcpy(out, all + SUM_MOMENT, 3 * sizeof *out);
     memcpy(size, all + SUM_SIZE, 3 * sizeof *size);
 }

@@ -15,8 +15,8 @@
 /* Where the stored components of the deformation gradient go in a batch; those of stress keep their place. */
 static const int deform_slot[3][9] = {{0, 4, 8}, {0, 1, 3, 4, 8}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};
 
-/* Velocities stand at n - 1/2, so what USF strains with before the forces brings the stress from n - 1 to n: it takes the step
- * before, none at first. (With this step instead, USF is first order in time.) Coupled, all lives at n. */
+/* Velocities are at n - 1/2, so that USF, which strains before the forces, advances the stress from n - 1 to n with the former
+ * step, which is zero at first. (With the present step USF is first order in time.) Coupled to cells, all variables are at n. */
 static bool strains_back(const mpm *s)
 {
     return s->scene->method.stress == STRESS_USF && s->cells != CELLS_SMEARED;
@@ -244,7 +244,7 @@ static double power_at(const mpm *s, const fields *f, int body, size_t k, const 
 }
 
 /* Energy of the heating loads into points of a fluid: e += dp / (dp/de), or power dt / rho. Returns what was added (J). */
-static double add_heat(const mpm *s, int blk, int body, size_t start, solid_batch *b)
+static double add_heat_of_work(const mpm *s, int blk, int body, size_t start, solid_batch *b)
 {
     const mpm_body *m = &s->body[body];
     const fields *f = s->domain->fields[blk];
@@ -336,7 +336,7 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
     scale_to_enclosed_volume(s, body, b);
     if (fields_has(s->domain->fields[blk], P_DENSITY, body)) take_cell_density(s, blk, body, start, b);
     if (fields_has(s->domain->fields[blk], P_VISCOUS_PRESSURE, body)) set_artificial(s, m, b);
-    if (m->fluid) gain[GAIN_HEAT] += add_heat(s, blk, body, start, b);
+    if (m->fluid) gain[GAIN_HEAT] += add_heat_of_work(s, blk, body, start, b);
     const stress_state state = m->fluid ? STRESS_FULL : s->scene->stress_state;
     thermal_batch thermal;
     if (m->warms) begin_thermal_stress(s, blk, body, start, b, &thermal);

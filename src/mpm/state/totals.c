@@ -64,7 +64,7 @@ static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end,
     }
 }
 
-static void sum_tile(mpm *s, int blk, int tile, void *user, double *sum)
+static void sum_totals_tile(mpm *s, int blk, int tile, void *user, double *sum)
 {
     const int body = *(const int *)user;
     const size_t *at = s->points[blk][body].tile_start;
@@ -79,7 +79,7 @@ floe_status mpm_sum(mpm *s, mpm_totals *out)
     out->springs = spring_energy(s);
     for (int b = 0; b < s->n_bodies; ++b) {
         double sum[SUM_END];
-        sum_over_tiles(s, SUM_END, sum_tile, &b, sum);
+        sum_over_tiles(s, SUM_END, sum_totals_tile, &b, sum);
         out->mass[b] = sum[SUM_MASS];
         out->kinetic[b] = sum[SUM_KINETIC];
         out->strain[b] = sum[SUM_STRAIN];

@@ -29,7 +29,7 @@ static floe_status check_end(const mpm *s, int end, int neighbour, double cells)
     return FLOE_OK;
 }
 
-static bool is_wall(bc_kind kind)
+static bool is_wall_kind(bc_kind kind)
 {
     return kind == BC_SYMMETRY || kind == BC_SLIP || kind == BC_NO_SLIP;
 }
@@ -42,7 +42,7 @@ static floe_status check_points(const mpm *s)
         const double x = k->next[k->chain[c].first].x[0], h = s->mesh->h[0];
         const double gap[2] = {x - s->mesh->lower[0], s->mesh->upper[0] - x};
         for (int side = 0; side < 2 && k->chain[c].outward == 0; ++side)
-            if (gap[side] >= h && gap[side] < 2.0 * h && is_wall(s->scene->bc.side[0][side].kind))
+            if (gap[side] >= h && gap[side] < 2.0 * h && is_wall_kind(s->scene->bc.side[0][side].kind))
                 return has_left(s, k->chain[c].first);
     }
     return FLOE_OK;

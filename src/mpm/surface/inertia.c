@@ -1,6 +1,6 @@
-/* What moves the markers of surfaces (inertia.h). A force on a marker goes to its nodes by shares w, and moves it by shares
- * w r, r below one where a node is light (traction.c). Both are taken as w sqrt(r), with which the response of a marker
- * to its own force is right and that of all is symmetric. */
+/* The nodes that move the markers of surfaces (inertia.h). A force on a marker goes to its nodes by weights w, and moves the marker by weights
+ * w r, with r below one where a node is light (traction.c). Both weights are taken as w sqrt(r): the response of a marker to its own
+ * force is then exact, and the matrix of all responses is symmetric. */
 #include "mpm/surface/inertia.h"
 
 #include "base/memory.h"
@@ -137,7 +137,7 @@ static node_image image_of(const mpm *s, int group, int axis, int node)
     return (node_image){.n = 2, .at = {wall, inner}, .weight = {2.0, -1.0}};
 }
 
-static floe_status add_share(mpm *s, int group, inertia_marker *m, const int node[3], const double factor[3])
+static floe_status add_marker_share(mpm *s, int group, inertia_marker *m, const int node[3], const double factor[3])
 {
     marker_inertia *t = s->surfaces->inertia;
     int number;
@@ -152,7 +152,8 @@ static floe_status add_share(mpm *s, int group, inertia_marker *m, const int nod
 }
 
 /* Adds a node of a marker's stencil; `moved`: the share r of its change that the marker takes. */
-static floe_status add_node(mpm *s, int group, inertia_marker *m, const int node[3], double weight, double moved)
+static floe_status add_inertia_node(mpm *s, int group, inertia_marker *m, const int node[3], double weight,
+                                    double moved)
 {
     node_image image[3] = {{.n = 1, .weight = {1.0}}, {.n = 1, .weight = {1.0}}, {.n = 1, .weight = {1.0}}};
     for (int a = 0; a < s->mesh->dim; ++a) image[a] = image_of(s, group, a, node[a]);
@@ -163,7 +164,7 @@ static floe_status add_node(mpm *s, int group, inertia_marker *m, const int node
                 const double w = weight * image[0].weight[i] * image[1].weight[j] * image[2].weight[k];
                 double factor[3];
                 for (int c = 0; c < 3; ++c) factor[c] = (image[c].mirrored ? -1.0 : 1.0) * sqrt(moved) * w;
-                TRY(add_share(s, group, m, at, factor));
+                TRY(add_marker_share(s, group, m, at, factor));
                 const marker_inertia *t = s->surfaces->inertia;
                 const inertia_node *n = &t->node[t->share[t->n_shares - 1].node];
                 for (int c = 0; c < s->mesh->dim; ++c)
@@ -189,7 +190,7 @@ static floe_status add_marker(mpm *s, int vertex)
         return FLOE_OK;
     }
     const surface_shares st = surface_shares_at(s, group, x);
-    for (int i = 0; i < st.n; ++i) TRY(add_node(s, group, m, st.node[i], st.w[i], st.moved[i]));
+    for (int i = 0; i < st.n; ++i) TRY(add_inertia_node(s, group, m, st.node[i], st.w[i], st.moved[i]));
     for (int a = 0; a < s->mesh->dim; ++a) {
         if (!(k->pin[vertex] >> a & 1)) continue;
         m->velocity[a] = 0.0;
@@ -321,7 +322,7 @@ void inertia_flux_of(const mpm *s, const wall_response *w, const double *pressur
     for (int c = 0; c < w->n_cells; ++c) flux[c] = along_pushes(s, w, c);
 }
 
-/* Only the markers that the cell pushes are looked at: their nodes' forces are 0 before and after. */
+/* Only the markers on which the cell acts are visited: their nodes' forces are 0 before and after. */
 double inertia_own_flux(const mpm *s, const wall_response *w, int cell)
 {
     const marker_inertia *t = s->surfaces->inertia;

@@ -1,5 +1,5 @@
-/* Light solids beside fluids on cells (theory 7.6): what moves the markers of surfaces, and the pressures of fluids that give
- * way to them. Private to the folder. */
+/* Light solids beside fluids on cells (theory 7.6): the nodes that move the markers of surfaces, and implicit wall pressures.
+ * Private to the folder. */
 #ifndef MPM_INERTIA_H
 #define MPM_INERTIA_H
 
@@ -34,7 +34,7 @@ typedef struct marker_inertia {
     inertia_node *node;
     inertia_share *share;
     inertia_marker *marker;
-    int *of_vertex; /* number of its marker; -1: no fluid pushes it */
+    int *of_vertex; /* number of its marker; -1: no fluid acts on it */
     int *slot;      /* table of nodes, by their numbers plus one; a power of two of them */
     double *value;  /* vectors of the solution, one number a cell (wall_pressures.c) */
     int n_nodes, n_shares, n_markers;
@@ -43,7 +43,7 @@ typedef struct marker_inertia {
     double (*impulse)[6]; /* N s, N m s: the same */
 } marker_inertia;
 
-/* Finds them for the pushes of the fluids. Masses, momenta and forces are those of the step. Errors: FLOE_NO_MEMORY. */
+/* Finds them for the forces of the fluids. Masses, momenta and forces are those of the step. Errors: FLOE_NO_MEMORY. */
 floe_status inertia_find(mpm *s, const wall_response *w);
 void inertia_free(mpm *s);
 /* More flux (m3/s) out of each cell than the fluids have taken it to be, by the forces so far. */

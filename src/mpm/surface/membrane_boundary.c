@@ -24,15 +24,15 @@ static bool end_on_mirror(const membrane_curve *line, bool last, cut_vertex *out
     return true;
 }
 
-static const char *name_of(const mpm *s, int body)
+static const char *name_of_membrane(const mpm *s, int body)
 {
     return s->scene->body[s->body[body].scene_body].name;
 }
 
 static floe_status has_lost(const mpm *s, int body, size_t point)
 {
-    return fail(s->ctx, FLOE_DIVERGED, "membrane '%s' has lost its point %zu, and its gas with it", name_of(s, body),
-                point + 1);
+    return fail(s->ctx, FLOE_DIVERGED, "membrane '%s' has lost its point %zu, and its gas with it",
+                name_of_membrane(s, body), point + 1);
 }
 
 static floe_status curve_vertices(mpm *s, int body, cut_surface *out)

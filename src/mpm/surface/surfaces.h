@@ -50,7 +50,7 @@ struct mpm_surfaces {
     size_t n_loaded;
     membrane_force membrane_force[SCENE_MAX_BODIES]; /* of our bodies */
     surface_markers markers;
-    struct wall_response *fluids;   /* how the gas's forces on the markers give way; not owned; NULL: they do not */
+    struct wall_response *fluids;   /* response of the gas's pressure to the markers' motion; not owned; NULL: none */
     struct marker_inertia *inertia; /* what moves the markers (inertia.h); owned; NULL: not needed so far */
 };
 void surfaces_free(mpm *s);

@@ -57,7 +57,7 @@ static floe_status reserve_surface(surface_list *list)
     return memory_resize(list->s->ctx, &w->loaded_next, list->capacity, sizeof *w->loaded_next);
 }
 
-static void add_point(surface_list *list, const surface_element *e, double side)
+static void add_surface_point(surface_list *list, const surface_element *e, double side)
 {
     if (side == 0.0 || list->status != FLOE_OK) return;
     list->status = reserve_surface(list);
@@ -72,10 +72,10 @@ static void add_point(surface_list *list, const surface_element *e, double side)
     }
 }
 
-static void add_element(void *user, const surface_element *e)
+static void add_loaded_element(void *user, const surface_element *e)
 {
     surface_list *list = user;
-    add_point(list, e, side_of_body(list->s, list->s->scene->load[list->load].body, e));
+    add_surface_point(list, e, side_of_body(list->s, list->s->scene->load[list->load].body, e));
 }
 
 /* The first solid that an element of a fluid's surface faces, -1: none. */
@@ -89,7 +89,7 @@ static int faced_solid(const mpm *s, const surface_element *e)
 static void add_enclosing_element(void *user, const surface_element *e)
 {
     surface_list *list = user;
-    add_point(list, e, faced_solid(list->s, e) >= 0 ? 1.0 : 0.0);
+    add_surface_point(list, e, faced_solid(list->s, e) >= 0 ? 1.0 : 0.0);
 }
 
 static seed_spec surface_grid(const mpm *s)
@@ -142,11 +142,11 @@ static floe_status seed_enclosing_surfaces(mpm *s, surface_list *list, const see
 
 static void add_outer_element(void *user, const surface_element *e)
 {
-    add_point(user, e, e->area > 0.0 ? 1.0 : 0.0);
+    add_surface_point(user, e, e->area > 0.0 ? 1.0 : 0.0);
 }
 
-/* Surfaces that are to meet others, where that is solved for (implicit_gap.c): areas point outward. Gaps are as good as the two surfaces at a
- * node are complete: sides that meet at a corner, such as one on a mirror, are not to be one element that faces neither way. */
+/* Surfaces for contact in the implicit solver (implicit_gap.c): areas point outward. Gaps are accurate if the two surfaces at a node are
+ * complete: sides that meet at a corner, such as one on a mirror, must not be one element that faces in neither direction. */
 static floe_status seed_contacts(mpm *s, surface_list *list, const seed_spec *grid)
 {
     list->load = list->enclosed = -1;
@@ -168,7 +168,8 @@ floe_status seed_surfaces(mpm *s)
         if (s->scene->load[l].kind != LOAD_TRACTION) continue;
         const size_t before = s->surfaces->n_loaded;
         list.load = l;
-        surface_visit(&s->scene->load[l].region, &grid, SURFACE_DIVISIONS, SURFACE_DIAGONALS, add_element, &list);
+        surface_visit(&s->scene->load[l].region, &grid, SURFACE_DIVISIONS, SURFACE_DIAGONALS, add_loaded_element,
+                      &list);
         TRY(list.status);
         if (s->surfaces->n_loaded == before)
             return fail_key(s->ctx, KEY("loads", s->scene->load[l].name, "traction", "surface"),
@@ -244,7 +245,7 @@ static bool keep_moments(const mpm *s, const double x[3], place_stencil *st)
         if (!(fabs(weight[i]) <= 1.0)) return false;
         for (int a = 0; a < n; ++a) sum[a] += weight[i] * row[i][a];
     }
-    for (int a = 0; a < n; ++a) /* all but singular: what came out is noise */
+    for (int a = 0; a < n; ++a) /* nearly singular: the result is noise */
         if (!(fabs(sum[a] - (a == 0 ? 1.0 : 0.0)) <= 1e-12)) return false;
     memcpy(st->w, weight, (size_t)st->n * sizeof *weight);
     return true;
@@ -274,7 +275,7 @@ typedef struct surface_force {
     int dim;
 } surface_force;
 
-static void add_force(void *user, ptrdiff_t at, double weight, double mass)
+static void add_traction(void *user, ptrdiff_t at, double weight, double mass)
 {
     (void)mass;
     const surface_force *f = user;
@@ -295,7 +296,7 @@ void add_surface_force(const mpm *s, int group, const double x[3], const double 
             f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
             f.value[a] = force[a];
         }
-        visit_stencil(&s->mesh->block[b], &st, add_force, &f);
+        visit_stencil(&s->mesh->block[b], &st, add_traction, &f);
     }
 }
 

@@ -29,8 +29,8 @@ typedef struct surface_motion {
     double displacement[3], after[3]; /* m over the step, and m/s at its end */
 } surface_motion;
 surface_motion surface_motion_at(const mpm *s, int group, const double x[3]);
-/* Nodes that bear a force at a position with their shares of it, and the part of their change of velocity in the step that
- * moves it. */
+/* Nodes to which a force at a position is distributed, with their shares, and the part of their change of velocity in the
+ * step that moves the position. */
 enum { SURFACE_NODES = BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT };
 typedef struct surface_shares {
     int n;

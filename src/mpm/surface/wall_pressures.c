@@ -1,11 +1,11 @@
-/* The pressures of fluids on light solids (theory 7.6): with p the changes of pressure of the cells, y the flux out of them beyond
- * what the fluids have taken it to be, y0 that by the forces so far, and S p what p adds to it by the inertia of what is behind the walls,
+/* Implicit wall pressures on light solids (theory 7.6). Let p be the changes of pressure of the cells, y the volume flux out of them in excess of
+ * that with which the fluids have found their pressure, y0 the part of y due to the other forces, and S p the part that p causes, with the inertia behind the walls:
  *
  *     p = f(y),   y = y0 + S p
  *
- * by Newton's method, f falling with y (wall_response.h); each of its steps is (1/K + S) p = f(y)/K + y - y0, K = -f'(y),
- * symmetric and positive definite: by conjugate gradients, scaled by the diagonal. What is left of p - f(y) is a pressure
- * all the same, the same for both sides. */
+ * f decreases with y (wall_response.h). Each step of Newton's method solves (1/K + S) p = f(y)/K + y - y0, K = -f'(y), a symmetric and positive
+ * definite system, by conjugate gradients scaled by the diagonal. The residual p - f(y) costs no conservation: the same p acts on fluid and
+ * solid. */
 #include "base/memory.h"
 #include "mpm/surface/inertia.h"
 #include "mpm/surface/surface_markers.h"

@@ -67,18 +67,18 @@ static void set_node(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_
 }
 
 /* A node's heat is that of its points, whatever the temperature that it had to have. */
-static double change_at(const fields *f, int group, ptrdiff_t at, double T)
+static double temperature_change_at(const fields *f, int group, ptrdiff_t at, double T)
 {
     return T - field_get(f, N_HEAT, group, 0)[at] / field_get(f, N_CAPACITY, group, 0)[at];
 }
 
-static void impose_node(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at)
+static void impose_temperature_node(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at)
 {
     side_heat *q = user;
     const fields *f = q->s->domain->fields[blk];
     double T;
     if (side_temperature(q, blk, node, at, &T))
-        field_get(f, N_TEMP_CHANGE, q->group, 0)[at] = change_at(f, q->group, at, T);
+        field_get(f, N_TEMP_CHANGE, q->group, 0)[at] = temperature_change_at(f, q->group, at, T);
 }
 
 /* Heat that a node needs beyond what it gets by conduction and exchange. */
@@ -90,13 +90,13 @@ static void enter_node(void *user, int blk, const int node[MESH_MAX_DIM], ptrdif
     double T;
     if (!side_temperature(q, blk, node, at, &T)) return;
     q->heat += field_get(f, N_CAPACITY, q->group, 0)[at] *
-               (change_at(f, q->group, at, T) - field_get(f, N_TEMP_CHANGE, q->group, 0)[at]);
+               (temperature_change_at(f, q->group, at, T) - field_get(f, N_TEMP_CHANGE, q->group, 0)[at]);
 }
 
 /* Visits the nodes of a side that each block sees, those of neighbours included. */
 typedef void side_node_visitor(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at);
 
-static void visit_side(const mesh *m, int axis, int side, side_node_visitor *visit, void *user)
+static void visit_thermal_side(const mesh *m, int axis, int side, side_node_visitor *visit, void *user)
 {
     for (int blk = 0; blk < m->n_blocks; ++blk) {
         const block *b = &m->block[blk];
@@ -121,7 +121,7 @@ floe_status set_side_temperatures(mpm *s, int group, double t)
     if (!some_wall(s, false)) return FLOE_OK;
     for (q.axis = 0; q.axis < s->mesh->dim; ++q.axis)
         for (q.side = 0; q.side < 2 && !s->mesh->periodic[q.axis]; ++q.side)
-            visit_side(s->mesh, q.axis, q.side, set_node, &q);
+            visit_thermal_side(s->mesh, q.axis, q.side, set_node, &q);
     return q.status;
 }
 
@@ -133,7 +133,7 @@ floe_status impose_side_temperatures(mpm *s, int group)
     for (q.axis = 0; q.axis < s->mesh->dim; ++q.axis)
         for (q.side = 0; q.side < 2 && !s->mesh->periodic[q.axis]; ++q.side) {
             wall_visit_once(s->mesh, q.axis, q.side, enter_node, &q);
-            visit_side(s->mesh, q.axis, q.side, impose_node, &q);
+            visit_thermal_side(s->mesh, q.axis, q.side, impose_temperature_node, &q);
         }
     if (q.status == FLOE_OK) ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, q.heat);
     return q.status;

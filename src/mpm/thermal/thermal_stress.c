@@ -21,7 +21,7 @@ static void scale_deformation(solid_batch *b, const double *stretch, bool invers
     }
 }
 
-/* Of the thermal strain, what is there at the end of the step: load increments to rest add it up in proportion, as they do loads at once. */
+/* The share of the thermal strain at the end of the step: in static load increments it grows in proportion to the run, like constant loads. */
 static double strain_share(const mpm *s)
 {
     if (s->solver != SOLVER_STATIC) return 1.0;

@@ -1,6 +1,6 @@
-/* The filter of XPIC (Hammerquist and Nairn 2017): of the velocities V that points bring, the part
+/* The filter of XPIC (Hammerquist and Nairn 2017): of the velocities V of the points, the part
  *     [I - (I - S S+)^m] V = S sum_r (-1)^(r+1) C(m, r) u_r,   u_1 = S+ V,   u_r = S+ S u_(r-1),
- * is what m rounds between points and nodes leave; the rest the mesh does not see. */
+ * which m projections on the nodes and back retain; the rest is invisible to the mesh. */
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/node.h"
 #include "mpm/nodes/wall.h"
@@ -29,7 +29,7 @@ static void set_node_velocities(mpm *s, double undamped)
 }
 
 /* filtered += factor v, or = where `first`. */
-static void add_share(const mpm *s, int blk, int group, double factor, bool first)
+static void add_filtered_share(const mpm *s, int blk, int group, double factor, bool first)
 {
     const fields *f = s->domain->fields[blk];
     const size_t n = s->mesh->block[blk].size;
@@ -51,7 +51,7 @@ floe_status mpm_filter_velocities(mpm *s)
         set_node_velocities(s, undamped);
         undamped -= factor;
         for (int g = 0; g < s->n_deforming_groups; ++g)
-            for (int b = 0; b < s->mesh->n_blocks; ++b) add_share(s, b, g, factor, r == 1);
+            for (int b = 0; b < s->mesh->n_blocks; ++b) add_filtered_share(s, b, g, factor, r == 1);
         factor *= -(double)(order - r) / (r + 1);
     }
     return sample_velocities(s, N_VEL_FILTERED);

@@ -1,4 +1,4 @@
-/* Which point kernels a scene takes. */
+/* Selects the point kernels of a scene. */
 #include "mpm/transfer/kernels.h"
 
 static kernel_space space_of(int dim, mesh_geometry geometry)

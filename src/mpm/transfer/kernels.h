@@ -50,8 +50,8 @@ FLOE_ALWAYS_INLINE bool gather_needs_mass(bool kinks, bool motion, bool gradient
 typedef void sample_kernel(const mesh *m, const tile_box *t, const struct point_arrays *p, size_t start, size_t end,
                            const double *window, double *out);
 
-/* Adds to the nodes of a window, `out`, the momentum that points [start, end) would give back of the velocities in another, `window`,
- * which they take with the moments about them; lanes_of(dim) doubles a node in both. */
+/* Adds to the nodes of a window, `out`, the momentum that points [start, end) would return if they took the velocities in another,
+ * `window`, with their gradients; lanes_of(dim) doubles a node in both. */
 typedef void project_kernel(const mesh *m, const tile_box *t, const struct point_arrays *p, size_t start, size_t end,
                             const double *window, double *out);
 

@@ -31,9 +31,9 @@ FLOE_ALWAYS_INLINE int seen_lanes(const int dim, const gather_want want)
     return lanes_of(want.motion ? 2 * dim : dim);
 }
 
-/* What the node at a place along an axis, or the row or plane that it stands for, has to sums over that axis. */
-FLOE_ALWAYS_INLINE point_sums share_along(const point_sums *part, const int axis, double w, double dw, const int dim,
-                                          const gather_want want)
+/* The contribution of a node along an axis, or of the row or plane that it represents, to the sums over that axis. */
+FLOE_ALWAYS_INLINE point_sums sums_share_along(const point_sums *part, const int axis, double w, double dw,
+                                               const int dim, const gather_want want)
 {
     const int V = seen_lanes(dim, want), F = lanes_of(dim);
     const lanes u = want.light ? part->u : lanes_head(part->v, F, V);
@@ -75,7 +75,7 @@ FLOE_ALWAYS_INLINE point_sums node_share(const stencils *s, int j, int x, int no
         const double mass = nodes->mass[node], withheld = mass < floor ? (1.0 - mass / floor) * nodes->kick : 0.0;
         own.u = lanes_plus(lanes_at(record, F), -withheld, lanes_at(record + dim, F), F);
     }
-    return share_along(&own, 0, s->w[0][x][j], s->dw[0][x][j], dim, want);
+    return sums_share_along(&own, 0, s->w[0][x][j], s->dw[0][x][j], dim, want);
 }
 
 FLOE_ALWAYS_INLINE point_sums sum_row(const stencils *s, int j, int node, const nodes_seen *nodes, double floor,
@@ -93,7 +93,7 @@ FLOE_ALWAYS_INLINE point_sums row_share(const stencils *s, int j, int y, int nod
                                         double floor, const int dim, const int basis, const gather_want want)
 {
     const point_sums row = sum_row(s, j, node, nodes, floor, dim, basis, want);
-    return share_along(&row, 1, s->w[1][y][j], s->dw[1][y][j], dim, want);
+    return sums_share_along(&row, 1, s->w[1][y][j], s->dw[1][y][j], dim, want);
 }
 
 FLOE_ALWAYS_INLINE point_sums sum_plane(const stencils *s, int j, int node, const nodes_seen *nodes, double floor,
@@ -112,7 +112,7 @@ FLOE_ALWAYS_INLINE point_sums plane_share(const stencils *s, int j, int z, int n
                                           double floor, const int dim, const int basis, const gather_want want)
 {
     const point_sums plane = sum_plane(s, j, node, nodes, floor, dim, basis, want);
-    return share_along(&plane, 2, s->w[2][z][j], s->dw[2][z][j], dim, want);
+    return sums_share_along(&plane, 2, s->w[2][z][j], s->dw[2][z][j], dim, want);
 }
 
 /* Sums over the nodes of the j-th stencil. */
@@ -158,8 +158,8 @@ FLOE_ALWAYS_INLINE point_sums sum_point(const stencils *s, int i, const nodes_se
     return sum;
 }
 
-FLOE_ALWAYS_INLINE void move_point(const point_arrays *p, size_t k, const point_sums *sum, const gather_step *step,
-                                   const gather_result *to, const int dim)
+FLOE_ALWAYS_INLINE void move_point_by_sums(const point_arrays *p, size_t k, const point_sums *sum,
+                                           const gather_step *step, const gather_result *to, const int dim)
 {
     const int V = lanes_of(2 * dim);
     for (int a = 0; a < dim; ++a) {
@@ -195,7 +195,7 @@ FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const poin
             const size_t k = start + (size_t)i, row = k - origin;
             const double floor = light ? light_node * p->mass[k] : 0.0;
             point_sums sum = sum_point(&s, i, &nodes, floor, dim, basis, want);
-            if (motion) move_point(p, k, &sum, &step, &out, dim);
+            if (motion) move_point_by_sums(p, k, &sum, &step, &out, dim);
             if (gradient && centred) sum = sum_point(&centres, i, &nodes, floor, dim, basis, rates);
             if (gradient && axisymmetric)
                 out.L[8][row] = lanes_get(sum.v, 0, centred ? F : V) / (centred ? centres.radius[i] : p->x[0][k]);

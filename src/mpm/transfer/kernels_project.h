@@ -1,5 +1,5 @@
-/* From nodes to points and back to the nodes in one pass (kernels_body.h): what points would give back of a velocity that they take with
- * the moments about them (restore.c). */
+/* From nodes to points and back to the nodes in one pass (kernels_body.h): the velocity that points give back if they take velocities and their gradients
+ * from the nodes (restore.c). */
 #ifndef MPM_KERNELS_PROJECT_H
 #define MPM_KERNELS_PROJECT_H
 

@@ -1,4 +1,4 @@
-/* Components of a node side by side: node data is interleaved, and compilers do not find what may be done at once by themselves. */
+/* Components of a node side by side: node data is interleaved, and compilers do not vectorise such code by themselves. */
 #ifndef MPM_LANES_H
 #define MPM_LANES_H
 

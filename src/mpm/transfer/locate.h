@@ -1,4 +1,4 @@
-/* Where a point stands in its tile's window, and its weights there: inlined into every kernel. */
+/* Position of a point in the window of its tile, and its weights there: inlined into every kernel. */
 #ifndef MPM_LOCATE_H
 #define MPM_LOCATE_H
 

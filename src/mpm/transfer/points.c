@@ -1,4 +1,4 @@
-/* The stages that pass over the points, tile by tile. */
+/* Stages that loop over the points, tile by tile. */
 #include "base/memory.h"
 #include "base/threads.h"
 #include "grid/tile_box.h"
@@ -92,8 +92,8 @@ static gather_result result_of(const mpm *s, int blk, int body, tile_pass pass, 
     return out;
 }
 
-/* Whether a chunk's points have changed cell; CELLS_FAR where one has gone farther than a cell, which no stable step does
- * (theory 4.6), or is a NaN. Cells as mesh_cell_of has them: x is in the mesh, so that truncation is floor. */
+/* Whether a chunk's points have changed cell; CELLS_FAR where one has moved farther than a cell, which no stable step
+ * does (theory 4.6), or is a NaN. Cells are those of mesh_cell_of: x is in the mesh, so that truncation is floor. */
 typedef enum chunk_motion { CELLS_KEPT, CELLS_CHANGED, CELLS_FAR } chunk_motion;
 
 FLOE_WIDE static chunk_motion motion_of(const mesh *m, size_t start, size_t end, const point_arrays *p,

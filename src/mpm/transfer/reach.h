@@ -1,5 +1,4 @@
-/* How far points reach at nodes, by the points themselves: the largest of what each has to say. Private to the mpm
- * module. */
+/* Extent of bodies at nodes, determined by the points: the maximum over the points near a node. Private to the mpm module. */
 #ifndef MPM_REACH_H
 #define MPM_REACH_H
 

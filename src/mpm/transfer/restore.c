@@ -34,7 +34,7 @@ static void load_residuals(const mpm *s, int blk, int group, const tile_box *t, 
     load_window(s, blk, t, node, lanes_of(s->mesh->dim), window);
 }
 
-/* One tile's private sums of what its points give back. */
+/* One tile's private sums of the momenta that its points return. */
 static void project_tile(mpm *s, int group, int blk, int tile)
 {
     _Alignas(MEMORY_ALIGNMENT) double window[MPM_MAX_WINDOW * 4];
@@ -87,7 +87,7 @@ static void subtract_projection(mpm *s, int group)
     }
 }
 
-static void start_residuals(mpm *s, int group)
+static void start_velocity_residuals(mpm *s, int group)
 {
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int c = 0; c < s->mesh->dim; ++c)
@@ -137,7 +137,7 @@ static void next_residuals(mpm *s, double share)
 
 static void restore_accelerations(mpm *s)
 {
-    for (int g = 0; g < s->n_deforming_groups; ++g) start_residuals(s, g);
+    for (int g = 0; g < s->n_deforming_groups; ++g) start_velocity_residuals(s, g);
     for (int j = 1; j < s->order; ++j) {
         const double share = share_of_residual(s, j);
         next_residuals(s, share);

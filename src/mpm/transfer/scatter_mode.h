@@ -1,4 +1,4 @@
-/* What a pass from points to nodes adds there. */
+/* Quantities that a pass from points to nodes adds there. */
 #ifndef MPM_SCATTER_MODE_H
 #define MPM_SCATTER_MODE_H
 

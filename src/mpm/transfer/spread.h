@@ -1,5 +1,5 @@
-/* Numbers of each point, spread to the nodes of its tile's window and summed over the tiles: for passes that are too
- * rare for a kernel of their own. Private to the mpm module. */
+/* Sums of values of points to the nodes of their tile's window, and over tiles: for loops that are too rare for a kernel of their own. Private to the mpm
+ * module. */
 #ifndef MPM_SPREAD_H
 #define MPM_SPREAD_H
 

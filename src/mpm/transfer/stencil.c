@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-static int cell_of(const mesh *m, int axis, const double x[3])
+static int stencil_cell_of(const mesh *m, int axis, const double x[3])
 {
     const int cell = mesh_cell_of(m, axis, x[axis]);
     return cell < 0 ? 0 : cell >= m->n[axis] ? m->n[axis] - 1 : cell;
@@ -14,7 +14,7 @@ place_stencil stencil_at(const mpm *s, const double x[3])
     double w[3][BASIS_MAX_SUPPORT] = {{1.0}, {1.0}, {1.0}}, slope[BASIS_MAX_SUPPORT];
     for (int a = 0; a < s->mesh->dim; ++a) {
         const double inv_h = 1.0 / s->mesh->h[a];
-        const int cell = cell_of(s->mesh, a, x);
+        const int cell = stencil_cell_of(s->mesh, a, x);
         const double xi = (x[a] - mesh_node(s->mesh, a, cell)) * inv_h;
         first[a] = cell + s->basis->weights(xi, 0.25, inv_h, w[a], slope);
         count[a] = s->basis->support;
@@ -34,7 +34,7 @@ place_stencil stencil_at(const mpm *s, const double x[3])
 int place_block(const mpm *s, const double x[3])
 {
     int cell[3] = {0, 0, 0};
-    for (int a = 0; a < s->mesh->dim; ++a) cell[a] = cell_of(s->mesh, a, x);
+    for (int a = 0; a < s->mesh->dim; ++a) cell[a] = stencil_cell_of(s->mesh, a, x);
     return mesh_block_of(s->mesh, cell);
 }
 
@@ -56,7 +56,7 @@ typedef struct place_force {
     int dim;
 } place_force;
 
-static void add_force(void *user, ptrdiff_t at, double weight, double mass)
+static void add_force_to_nodes(void *user, ptrdiff_t at, double weight, double mass)
 {
     const place_force *f = user;
     (void)mass;
@@ -72,6 +72,6 @@ void push_nodes(const mpm *s, int group, const double x[3], const double force[3
             f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
             f.value[a] = force[a];
         }
-        visit_stencil(&s->mesh->block[b], &st, add_force, &f);
+        visit_stencil(&s->mesh->block[b], &st, add_force_to_nodes, &f);
     }
 }

@@ -1,5 +1,5 @@
-/* The nodes about any place of the mesh, for what acts at places instead of on the points of a tile: loaded surfaces,
- * springs. Private to the mpm module. */
+/* Shape functions at an arbitrary position of the mesh, for loads at positions other than points of a tile: loaded surfaces, springs. Private to the mpm
+ * module. */
 #ifndef MPM_STENCIL_H
 #define MPM_STENCIL_H
 

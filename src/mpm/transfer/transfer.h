@@ -23,8 +23,9 @@ typedef struct transfer_model {
     const char *name, *doc, *cite;
     double share; /* of FLIP, 0 to 1; NAN: what the deck's method.flip says */
     transfer_carry carry;
-    bool filter;             /* v_p above is what [I - (I - S S+)^m] leaves of it */
-    bool restore;            /* v^L above is the sum of k terms of what points would not give back of it (restore.c) */
+    bool filter; /* v_p above is what [I - (I - S S+)^m] leaves of it */
+    bool
+        restore; /* v^L above is replaced by the sum of k terms, each the part of the former that points would not return (restore.c) */
     int order;               /* m or k where the deck's method.filter_order says nothing */
     bool keeps_spin;         /* the moment of momentum is kept to round-off, C_p's share included */
     bool keeps_rigid_motion; /* one step leaves the velocities of a turning body as they are */

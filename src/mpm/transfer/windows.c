@@ -45,7 +45,7 @@ static void tiles_about(const mesh *m, int reach, int axis, int g, int *first, i
 }
 
 /* Adds the part of a tile's window row (global node j, k) that lies in a block's nodes. */
-static void add_row(const mpm *s, const block *b, const node_target *out, const int tile[3], int j, int k)
+static void add_window_row(const mpm *s, const block *b, const node_target *out, const int tile[3], int j, int k)
 {
     const mesh *m = s->mesh;
     const int reach = out->reach, *window = out->window;
@@ -85,7 +85,7 @@ static void gather_row(const mpm *s, const block *b, const node_target *out, int
             out->array[c][at + i] = out->largest ? (double)-INFINITY : 0.0;
     for (int z = z0; z <= z1; ++z)
         for (int y = y0; y <= y1; ++y)
-            for (int x = x0; x <= x1; ++x) add_row(s, b, out, (const int[]){x, y, z}, j, k);
+            for (int x = x0; x <= x1; ++x) add_window_row(s, b, out, (const int[]){x, y, z}, j, k);
 }
 
 node_target node_target_of(const mpm *s, int blk, int group, const field_id *id, int count)

@@ -1,5 +1,5 @@
-/* Windows of tiles: the nodes that the points of a tile reach, with private sums that become nodes in global tile order
- * (docs/structure.md, Tiles), and copies of nodes for the way back. */
+/* Windows of tiles: the nodes that the points of a tile reach, with private sums that are added to the nodes in global tile order (docs/structure.md, Tiles),
+ * and copies of nodes for interpolation back to the points. */
 #ifndef MPM_WINDOWS_H
 #define MPM_WINDOWS_H
 
