@@ -94,4 +94,10 @@ complain 'words of our own for what the field has words for (the table is in the
         grep -E "[^A-Za-z0-9_/.]([a-z0-9]+_)*($private_words)(_[a-z0-9]+)*([^A-Za-z0-9_.]|$)" | grep -v '#include')"
 complain 'static functions whose names say nothing in a backtrace' \
     "$(grep -rnE "^static [A-Za-z_0-9 ]*[ *]($short_names)\(" src --include='*.[ch]')"
+complain 'static functions of one name in two files of a module: a backtrace must tell them apart' \
+    "$(for module in mpm ice coupling embedded; do
+        grep -rE '^(static|FLOE_ALWAYS_INLINE) [^={};]*\(' "src/$module" --include='*.[ch]' |
+            sed -nE 's/^([^:]+):[^(]*[ *]([A-Za-z_0-9]+)\(.*/\2 \1/p' | sort -u | awk '{ if ($1 == last) print $1 ": " file ", " $2; last = $1; file = $2 }'
+    done)"
+complain 'tables of docs/structure.md that are not true' "$(python3 scripts/structure.py check)"
 exit $failed
