@@ -1,4 +1,4 @@
-/* Thermal strain before a call of the law, and plastic heat after it (theory 12.5, 12.6). */
+/* What temperature does to stress and stress to temperature, about a call of the law (theory 12.5, 12.6). */
 #ifndef MPM_THERMAL_STRESS_H
 #define MPM_THERMAL_STRESS_H
 
@@ -17,7 +17,7 @@ typedef struct thermal_batch {
 void begin_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, thermal_batch *t);
 /* After the law: F and J as they are; the heat of the step leaves the law's energy and is put aside for the points. */
 void end_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, const thermal_batch *t);
-/* psi (J/m3, per initial volume) of a law that depends on F, for the current state in b. */
+/* psi (J/m3, per initial volume) of a law that goes by F, of the current state in b. */
 void thermal_strain_energy(const mpm *s, int blk, int body, size_t start, solid_batch *b, double *psi);
 
 #endif
