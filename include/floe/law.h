@@ -19,7 +19,7 @@
 
 enum {
     FLOE_LAW_POINTS = 64, /* the most points in a batch */
-    FLOE_LAW_HISTORY = 8  /* the most history variables of a law */
+    FLOE_LAW_HISTORY = 24 /* the most history variables of a law */
 };
 
 /* What a number of a deck may be. */

@@ -50,6 +50,22 @@
     X(P_HISTORY_6, "history_6", POINT, SCALAR, "1", STATE, "number 6 of those that the law remembers (solid.h)")     \
     X(P_HISTORY_7, "history_7", POINT, SCALAR, "1", STATE, "number 7 of those that the law remembers (solid.h)")     \
     X(P_HISTORY_8, "history_8", POINT, SCALAR, "1", STATE, "number 8 of those that the law remembers (solid.h)")     \
+    X(P_HISTORY_9, "history_9", POINT, SCALAR, "1", STATE, "number 9 of those that the law remembers (solid.h)")     \
+    X(P_HISTORY_10, "history_10", POINT, SCALAR, "1", STATE, "number 10 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_11, "history_11", POINT, SCALAR, "1", STATE, "number 11 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_12, "history_12", POINT, SCALAR, "1", STATE, "number 12 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_13, "history_13", POINT, SCALAR, "1", STATE, "number 13 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_14, "history_14", POINT, SCALAR, "1", STATE, "number 14 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_15, "history_15", POINT, SCALAR, "1", STATE, "number 15 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_16, "history_16", POINT, SCALAR, "1", STATE, "number 16 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_17, "history_17", POINT, SCALAR, "1", STATE, "number 17 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_18, "history_18", POINT, SCALAR, "1", STATE, "number 18 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_19, "history_19", POINT, SCALAR, "1", STATE, "number 19 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_20, "history_20", POINT, SCALAR, "1", STATE, "number 20 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_21, "history_21", POINT, SCALAR, "1", STATE, "number 21 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_22, "history_22", POINT, SCALAR, "1", STATE, "number 22 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_23, "history_23", POINT, SCALAR, "1", STATE, "number 23 of those that the law remembers (solid.h)")  \
+    X(P_HISTORY_24, "history_24", POINT, SCALAR, "1", STATE, "number 24 of those that the law remembers (solid.h)")  \
     X(P_TEMP, "temperature", POINT, SCALAR, "K", STATE, "T_p of solids that have one (scene/solid_heat.h)")          \
     X(P_TEMP_GRADIENT, "temperature_gradient", POINT, VECTOR, "K/m", STATE,                                          \
       "grad T at the point, of solids that conduct heat")                                                            \

@@ -13,7 +13,7 @@
 
 #include "grid/domain.h"
 
-enum { STAGE_MAX = 64, STAGE_MAX_FIELDS = 40, STAGE_NONE = -1 };
+enum { STAGE_MAX = 64, STAGE_MAX_FIELDS = 64, STAGE_NONE = -1 };
 
 typedef struct stage_fields {
     int id[STAGE_MAX_FIELDS]; /* field_id, or STAGE_NONE which is passed over */

@@ -87,7 +87,7 @@ static floe_status visit_registered(void *user, field_id id, int instance)
     if (!is_written(id)) return FLOE_OK;
     if (w->centring == FIELD_CELL) return visit_cell_field(w, id, instance);
     if (instance != w->body) return FLOE_OK;
-    if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return visit_history(w, id);
+    if (id >= P_HISTORY_1 && id <= P_HISTORY_24) return visit_history(w, id);
     return visit_components(w, id, instance, field_describe(id)->name);
 }
 

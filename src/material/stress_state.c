@@ -50,6 +50,12 @@ static void solve_start(free_solve *s, const free_axes *f, size_t n, double K, d
     }
 }
 
+/* What solve_apply puts back, and what stands before it: a law pays for the rows of history that it has. */
+static void copy_batch(const solid_model *model, const solid_batch *from, solid_batch *to)
+{
+    memcpy(to, from, offsetof(solid_batch, history) + (size_t)model->n_history * sizeof *from->history);
+}
+
 /* Puts the trial stretches into the batch, which is otherwise put back to `start`. */
 static void solve_apply(const free_solve *s, const free_axes *f, const solid_model *model, const solid_batch *start,
                         solid_batch *b)
@@ -150,7 +156,8 @@ size_t solid_stress_state(const solid_model *model, const void *par, double p_re
     const double K = model->bulk_modulus(par), G = model->shear_modulus(par);
     if (!(K > 0.0) || !(G > 0.0))
         return b->n > 0 ? 1 : 0; /* a fluid has no free stretch that takes its pressure away */
-    const solid_batch start = *b;
+    solid_batch start;
+    copy_batch(model, b, &start);
     free_solve solve;
     solve_start(&solve, &f, b->n, K, G);
     size_t open = 0;

@@ -128,7 +128,7 @@ static bool body_carries(const mpm *s, int body, field_id id)
     if (id == P_SHARE || id == P_MASS_LEFT) return b->burns;
     if (id == P_MEAN_PRESSURE) return b->mean_strain;
     if (id == P_VOLUME_RATE) return shares_over_patches(s, body);
-    if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return (int)(id - P_HISTORY_1) < b->law->n_history;
+    if (id >= P_HISTORY_1 && id <= P_HISTORY_24) return (int)(id - P_HISTORY_1) < b->law->n_history;
     if (id == P_TANGENT || id == P_STRAIN) return b->membrane.model && !is_sheet(s, body);
     if (id == P_STRAIN_HOOP) return b->membrane.model && !is_sheet(s, body) && s->mesh->geometry == MESH_AXISYMMETRIC;
     if (id == P_SURFACE_1 || id == P_SURFACE_2) return b->membrane.model && is_sheet(s, body);

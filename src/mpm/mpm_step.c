@@ -33,9 +33,11 @@ floe_status mpm_begin_step(mpm *s)
 }
 
 #define REMEMBERED(n) WHEN(s->n_history >= (n), P_HISTORY_##n)
-#define HISTORY                                                                                              \
-    REMEMBERED(1), REMEMBERED(2), REMEMBERED(3), REMEMBERED(4), REMEMBERED(5), REMEMBERED(6), REMEMBERED(7), \
-        REMEMBERED(8)
+#define HISTORY                                                                                                       \
+    REMEMBERED(1), REMEMBERED(2), REMEMBERED(3), REMEMBERED(4), REMEMBERED(5), REMEMBERED(6), REMEMBERED(7),          \
+        REMEMBERED(8), REMEMBERED(9), REMEMBERED(10), REMEMBERED(11), REMEMBERED(12), REMEMBERED(13), REMEMBERED(14), \
+        REMEMBERED(15), REMEMBERED(16), REMEMBERED(17), REMEMBERED(18), REMEMBERED(19), REMEMBERED(20),               \
+        REMEMBERED(21), REMEMBERED(22), REMEMBERED(23), REMEMBERED(24)
 #define MEMBRANE_STRAIN WHEN(s->carries[P_TANGENT], P_STRAIN), WHEN(s->carries[P_STRAIN_HOOP], P_STRAIN_HOOP)
 #define SURFACE_VECTORS WHEN(s->carries[P_SURFACE_1], P_SURFACE_1), WHEN(s->carries[P_SURFACE_1], P_SURFACE_2)
 #define DOMAINS WHEN(s->basis->fact.sized, P_HALF), WHEN(s->carries[P_BOX], P_BOX), WHEN(s->basis->fact.shaped, P_F)

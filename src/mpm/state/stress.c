@@ -77,12 +77,14 @@ void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end,
     const fields *f = s->domain->fields[blk];
     const mpm_body *b = &s->body[body];
     const size_t bytes = (end - start) * sizeof(double);
+    const bool deformed = (b->law->needs & SOLID_NEEDS_F) != 0; /* the speeds of others are those at rest */
     batch->n = end - start;
     memcpy(batch->J, field_get(f, P_J, body, 0) + start, bytes);
     load_density(f, body, start, batch);
-    if (b->law->needs & SOLID_NEEDS_F)
-        for (int c = 0; c < field_component_count(FIELD_DEFORM, s->mesh->dim); ++c)
-            memcpy(batch->F[deform_slot[s->mesh->dim - 1][c]], field_get(f, P_F, body, c) + start, bytes);
+    for (int c = 0; deformed && c < field_component_count(FIELD_DEFORM, s->mesh->dim); ++c)
+        memcpy(batch->F[deform_slot[s->mesh->dim - 1][c]], field_get(f, P_F, body, c) + start, bytes);
+    for (int k = 0; deformed && k < b->law->n_history; ++k)
+        memcpy(batch->history[k], field_get(f, history_field(k), body, 0) + start, bytes);
     if (b->law->needs & SOLID_HAS_ENERGY) memcpy(batch->energy, field_get(f, P_ENERGY, body, 0) + start, bytes);
     if (has_artificial(b)) memcpy(batch->q, field_get(f, P_VISCOUS_PRESSURE, body, 0) + start, bytes);
 }
