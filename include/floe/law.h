@@ -62,8 +62,9 @@ typedef struct floe_solid_batch {
 
 /* What a law of solids asks for; or-ed. */
 enum {
-    FLOE_NEEDS_F = 1,   /* the deformation gradient is kept; without it only its determinant is */
-    FLOE_HAS_ENERGY = 2 /* internal energy is state of the points: what is no strain energy */
+    FLOE_NEEDS_F = 1,    /* the deformation gradient is kept; without it only its determinant is */
+    FLOE_HAS_ENERGY = 2, /* internal energy is state of the points: what is no strain energy */
+    FLOE_NEEDS_TIME = 8  /* dt is the time of the step also where steps are solved for; 1 s without it */
 };
 
 /* A number that each point carries for a law: in snapshots, checkpoints and fields by its name. */
@@ -81,7 +82,7 @@ typedef struct floe_solid_law {
     size_t parameter_size; /* bytes of the parameter struct; 0 where there are no parameters */
     const floe_parameter *parameters; /* n_parameters of them */
     size_t n_parameters;
-    unsigned needs;              /* of FLOE_NEEDS_F and FLOE_HAS_ENERGY */
+    unsigned needs;              /* of FLOE_NEEDS_F, FLOE_HAS_ENERGY and FLOE_NEEDS_TIME */
     const floe_history *history; /* n_history of them, 0 to FLOE_LAW_HISTORY */
     int n_history;
     /* Sets stress (and energy, history) at the end of the step. Returns 0, or 1 + the first point that is beyond the law

@@ -22,7 +22,9 @@ typedef enum solid_needs {
     /* Keep F; without it J alone is kept. */
     SOLID_NEEDS_F = FLOE_NEEDS_F,
     /* Carries internal energy as state: of fluids all, of solids what is no strain energy; takes rho0 and q. */
-    SOLID_HAS_ENERGY = FLOE_HAS_ENERGY
+    SOLID_HAS_ENERGY = FLOE_HAS_ENERGY,
+    /* The stress depends on time: steps that are solved for give their own, too. */
+    SOLID_NEEDS_TIME = FLOE_NEEDS_TIME
 } solid_needs;
 
 /* A history variable of a law, which a point carries, as snapshots show it. */

@@ -16,7 +16,6 @@ static bool stress_at(const solid_model *law, const void *par, const double F[9]
     solid_batch b;
     memset(&b, 0, sizeof b);
     b.n = 1;
-    b.dt = 1.0;
     b.rho0[0] = 1.0;
     for (int c = 0; c < 9; ++c) b.F[c][0] = F[c];
     b.J[0] = b.J_old[0] = tensor_det(F);

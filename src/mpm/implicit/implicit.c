@@ -267,7 +267,14 @@ static floe_status prepare_system(mpm *s)
     return enclosed_gases_begin(s);
 }
 
-/* Forces at the start of the step, and the first guess of the displacement. */
+static bool some_law_needs_time(const mpm *s)
+{
+    for (int body = 0; body < s->n_bodies; ++body)
+        if (s->body[body].law->needs & SOLID_NEEDS_TIME) return true;
+    return false;
+}
+
+/* Forces at the start of the step, and the first guess of the displacement. Stress that relaxes is out of balance without any. */
 static floe_status start_step(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
@@ -275,12 +282,13 @@ static floe_status start_step(mpm *s)
     w->ready = false;
     w->krylov_iterations = 0;
     w->unbalanced_left = 0.0;
+    w->law_time = 0.0;
     TRY(evaluate_residual(s, w->u));
     memcpy(w->internal_first, w->internal, w->components * sizeof *w->internal);
+    w->law_time = s->dt;
     if (w->mass) return start_motion(s);
-    if (!w->unbalanced) return FLOE_OK;
-    find_unbalanced(s);
-    return evaluate_residual(s, w->u);
+    if (w->unbalanced) find_unbalanced(s);
+    return w->unbalanced || some_law_needs_time(s) ? evaluate_residual(s, w->u) : FLOE_OK;
 }
 
 /* Updates points, surfaces and enclosed gases from the displacement of the nodes. */

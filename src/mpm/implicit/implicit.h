@@ -86,7 +86,8 @@ struct mpm_implicit {
     double *external_first, *unbalanced;
     double acceleration_first[SCENE_MAX_BODIES][3]; /* m/s2: body forces at the start */
     double unbalanced_left;                         /* share of `unbalanced` that remains after the increment */
-    double *prescribed;                             /* m: prescribed displacement of constrained components; owned */
+    double law_time;         /* s: the step of laws that depend on time; 0 for the stresses that points start with */
+    double *prescribed;      /* m: prescribed displacement of constrained components; owned */
     double *constraint_step; /* m: increment that satisfies the constraints and the active contact conditions; owned */
     bool *constrained;       /* components of nodes that walls and supports constrain; owned */
     bool *reached;           /* components of nodes in the support of some point of their displacement field; owned */

@@ -88,6 +88,14 @@ static void set_increment(solid_batch *b, size_t k, const double G[9])
     for (int c = 0; c < 9; ++c) b->F[c][k] = F[c];
 }
 
+/* Laws that depend on time take the step's, and their rates over it. Without time nothing has moved. */
+static void set_time(double dt, solid_batch *b)
+{
+    b->dt = dt;
+    for (int c = 0; c < 9 && dt > 0.0; ++c)
+        for (size_t k = 0; k < b->n; ++k) b->L[c][k] /= dt;
+}
+
 /* The law at these gradients, from the state at the start of the increment; with changes of volume of their own where `shared` has
  * them. 0, or 1 + the first point beyond it. */
 size_t chunk_law(const mpm *s, int blk, int body, size_t start, size_t end, gradient_rows G, const double *shared,
@@ -107,6 +115,7 @@ size_t chunk_law(const mpm *s, int blk, int body, size_t start, size_t end, grad
         if (shared) set_rate_of_volume(s, b, k, log1p(shared[k]));
         if (!(b->J[k] > 0.0)) return 1 + k;
     }
+    if (m->law->needs & SOLID_NEEDS_TIME) set_time(s->implicit->law_time, b);
     thermal_batch thermal;
     if (m->warms) begin_thermal_stress(s, blk, body, start, b, &thermal);
     const size_t bad = solid_stress_state(m->law, m->law_par, s->scene->reference_pressure, s->scene->stress_state, b);
