@@ -93,7 +93,7 @@ static bool law_chosen(const void *field, model_entry *out)
     return m->law;
 }
 
-/* Moduli that no stable isotropic solid has: nu outside (-1, 1/2) goes with K <= 0 or G < 0. */
+/* Moduli that no stable isotropic solid has, where nu outside (-1, 1/2) goes with K <= 0 or G < 0, and what the law itself refuses. */
 static const char *law_check(const model_entry *entry, const void *par, int dim)
 {
     (void)dim;
@@ -103,7 +103,8 @@ static const char *law_check(const model_entry *entry, const void *par, int dim)
     if (!(K > 0.0)) return "its bulk modulus is not positive: Poisson's ratio must be below 0.5";
     if (!(G >= 0.0)) return "its shear modulus is negative: Poisson's ratio must be above -1";
     const double nu = (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G));
-    return nu > -1.0 && nu <= 0.5 ? NULL : "Poisson's ratio is outside -1 ... 0.5";
+    if (!(nu > -1.0 && nu <= 0.5)) return "Poisson's ratio is outside -1 ... 0.5";
+    return m->check ? m->check(par) : NULL;
 }
 
 const model_family family_law = {

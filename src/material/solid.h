@@ -53,6 +53,9 @@ typedef struct solid_model {
     double (*yield_stress)(const void *par);
     /* Stretch along one axis beyond which the law may have no state of plane or uniaxial stress; 0: it has all. */
     double largest_stretch;
+    /* What is wrong with parameters that each are in range, as the end of a sentence; NULL if nothing. NULL: nothing
+     * can be. */
+    const char *(*check)(const void *par);
 } solid_model;
 
 extern const solid_model *const solid_registry[];

@@ -66,19 +66,6 @@ static void remark_membrane(remark_speaker *w, const scene_material *m)
                    m->name, m->density);
 }
 
-/* No solid bears more shear than a tenth or so of its modulus; the softest metals flow at some ten-thousandths of it. */
-static void remark_yield(remark_speaker *w, const scene_material *m)
-{
-    if (!m->law->yield_stress) return;
-    const double share = m->law->yield_stress(m->law_par) / m->law->shear_modulus(m->law_par);
-    remark_set_key(w, "materials", m->name, "law");
-    if (share > 0.25 || share < 1e-4)
-        remark_key(w,
-                   "solid '%s' flows at %.3g of its shear modulus: metals at 0.0005 to 0.05, and none beyond 0.2. Give "
-                   "yield_stress in Pa, or with its unit",
-                   m->name, share);
-}
-
 /* A parameter of a law by its key; NAN where the law has none of that name. */
 static double parameter_of(const scene_material *m, const char *key)
 {
@@ -86,6 +73,19 @@ static double parameter_of(const scene_material *m, const char *key)
         if (strcmp(m->law->params[k].key, key) == 0)
             return *(const double *)((const char *)m->law_par + m->law->params[k].offset);
     return NAN;
+}
+
+/* No solid bears more shear than a tenth or so of its modulus; the softest metals flow at some ten-thousandths of it. */
+static void remark_yield(remark_speaker *w, const scene_material *m)
+{
+    if (!m->law->yield_stress || isnan(parameter_of(m, "yield_stress"))) return; /* soils flow without any */
+    const double share = m->law->yield_stress(m->law_par) / m->law->shear_modulus(m->law_par);
+    remark_set_key(w, "materials", m->name, "law");
+    if (share > 0.25 || share < 1e-4)
+        remark_key(w,
+                   "solid '%s' flows at %.3g of its shear modulus: metals at 0.0005 to 0.05, and none beyond 0.2. Give "
+                   "yield_stress in Pa, or with its unit",
+                   m->name, share);
 }
 
 /* Beyond yield a metal is softer than before. */
