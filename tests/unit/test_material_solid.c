@@ -215,13 +215,29 @@ static void test_stress_state_failure(void **state)
     assert_int_equal(solid_stress_state(solid_find("linear_elastic"), moduli, 0.0, STRESS_UNIAXIAL, &b), 2);
 }
 
+/* Parameters of a law: defaults; else those of `moduli` in turn, the middle of what is bounded, times in which nothing relaxes. */
+static void fill_parameters(const solid_model *law, double *par, size_t size)
+{
+    assert_true(law->param_size <= size);
+    param_fill_defaults(law->params, law->n_params, par);
+    size_t next = 0;
+    for (size_t k = 0; k < law->n_params; k++) {
+        const param_spec *spec = &law->params[k];
+        double *at = par + spec->offset / sizeof *par;
+        if (!isnan(*at)) continue;
+        *at = spec->range == PARAM_BETWEEN ? 0.5 * (spec->lo + spec->hi) : strcmp(spec->unit, "s") == 0 ? 1e12 : 1.5;
+        if (strcmp(spec->unit, "Pa") == 0) *at = moduli[next < 2 ? next++ : 2];
+    }
+}
+
 /* A thousand small steps of plane stress leave no stress behind. */
 static void test_plane_stress_does_not_drift(void **state)
 {
     (void)state;
     for (size_t m = 0; m < solid_registry_size; m++) {
         solid_batch b;
-        assert_true(solid_registry[m]->param_size <= sizeof moduli);
+        double par[32] = {0.0};
+        fill_parameters(solid_registry[m], par, sizeof par);
         batch_start(&b, 1e-6);
         for (int s = 0; s < 1000; s++) {
             b.L[0][0] = 1e-3;
@@ -229,9 +245,9 @@ static void test_plane_stress_does_not_drift(void **state)
             b.F[0][0] *= 1.0 + 1e-9;
             b.J_old[0] = b.J[0];
             b.J[0] *= 1.0 + 1e-9;
-            assert_int_equal(solid_stress_state(solid_registry[m], moduli, 0.0, STRESS_PLANE, &b), 0);
+            assert_int_equal(solid_stress_state(solid_registry[m], par, 0.0, STRESS_PLANE, &b), 0);
         }
-        const double K = solid_registry[m]->bulk_modulus(moduli), G = solid_registry[m]->shear_modulus(moduli);
+        const double K = solid_registry[m]->bulk_modulus(par), G = solid_registry[m]->shear_modulus(par);
         const double E = 9.0 * K * G / (3.0 * K + G), nu = 0.5 * E / G - 1.0;
         check_close(b.stress[2][0], 0.0, 1e-13 * K);
         check_close_relative(b.stress[0][0], E / (1.0 - nu * nu) * 1e-6, 1e-5);
