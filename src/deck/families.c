@@ -93,18 +93,18 @@ static bool law_chosen(const void *field, model_entry *out)
     return m->law;
 }
 
-/* Moduli that no stable isotropic solid has, where nu outside (-1, 1/2) goes with K <= 0 or G < 0, and what the law itself refuses. */
+/* What the law itself refuses, and moduli that no stable isotropic solid has: nu outside (-1, 1/2) goes with K <= 0 or G < 0. */
 static const char *law_check(const model_entry *entry, const void *par, int dim)
 {
     (void)dim;
     const solid_model *m = entry->model;
-    if (!m->bulk_modulus || !m->shear_modulus) return NULL;
+    const char *wrong = m->check ? m->check(par) : NULL;
+    if (wrong || !m->bulk_modulus || !m->shear_modulus) return wrong;
     const double K = m->bulk_modulus(par), G = m->shear_modulus(par);
     if (!(K > 0.0)) return "its bulk modulus is not positive: Poisson's ratio must be below 0.5";
     if (!(G >= 0.0)) return "its shear modulus is negative: Poisson's ratio must be above -1";
     const double nu = (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G));
-    if (!(nu > -1.0 && nu <= 0.5)) return "Poisson's ratio is outside -1 ... 0.5";
-    return m->check ? m->check(par) : NULL;
+    return nu > -1.0 && nu <= 0.5 ? NULL : "Poisson's ratio is outside -1 ... 0.5";
 }
 
 const model_family family_law = {
