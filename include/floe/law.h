@@ -58,13 +58,17 @@ typedef struct floe_solid_batch {
     double energy[FLOE_LAW_POINTS];    /* J/kg, internal energy: start in, end out (with FLOE_HAS_ENERGY alone) */
     double q[FLOE_LAW_POINTS];         /* Pa, artificial viscous pressure over the step, compression positive (in) */
     double history[FLOE_LAW_HISTORY][FLOE_LAW_POINTS]; /* the law's own numbers: start in, end out; 0 at first */
+    /* with FLOE_NEEDS_TEMPERATURE alone, of the start of the step (in); 0 where the points have no temperature */
+    double temperature[FLOE_LAW_POINTS]; /* K */
+    double heat[FLOE_LAW_POINTS];        /* J/kg, specific heat times the temperature over that without stress */
 } floe_solid_batch;
 
 /* What a law of solids asks for; or-ed. */
 enum {
-    FLOE_NEEDS_F = 1,    /* the deformation gradient is kept; without it only its determinant is */
-    FLOE_HAS_ENERGY = 2, /* internal energy is state of the points: what is no strain energy */
-    FLOE_NEEDS_TIME = 8  /* dt is the time of the step also where steps are solved for; 1 s without it */
+    FLOE_NEEDS_F = 1,           /* the deformation gradient is kept; without it only its determinant is */
+    FLOE_HAS_ENERGY = 2,        /* internal energy is state of the points: what is no strain energy */
+    FLOE_NEEDS_TEMPERATURE = 4, /* points have a temperature, which the stress depends on */
+    FLOE_NEEDS_TIME = 8         /* dt is the time of the step also where steps are solved for; 1 s without it */
 };
 
 /* A number that each point carries for a law: in snapshots, checkpoints and fields by its name. */
@@ -82,7 +86,7 @@ typedef struct floe_solid_law {
     size_t parameter_size; /* bytes of the parameter struct; 0 where there are no parameters */
     const floe_parameter *parameters; /* n_parameters of them */
     size_t n_parameters;
-    unsigned needs;              /* of FLOE_NEEDS_F, FLOE_HAS_ENERGY and FLOE_NEEDS_TIME */
+    unsigned needs;              /* of FLOE_NEEDS_F, _TEMPERATURE, _TIME and FLOE_HAS_ENERGY */
     const floe_history *history; /* n_history of them, 0 to FLOE_LAW_HISTORY */
     int n_history;
     /* Sets stress (and energy, history) at the end of the step. Returns 0, or 1 + the first point that is beyond the law

@@ -104,7 +104,8 @@ static const char *law_check(const model_entry *entry, const void *par, int dim)
     if (!(K > 0.0)) return "its bulk modulus is not positive: Poisson's ratio must be below 0.5";
     if (!(G >= 0.0)) return "its shear modulus is negative: Poisson's ratio must be above -1";
     const double nu = (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G));
-    return nu > -1.0 && nu <= 0.5 ? NULL : "Poisson's ratio is outside -1 ... 0.5";
+    if (!(nu > -1.0 && nu <= 0.5)) return "Poisson's ratio is outside -1 ... 0.5";
+    return m->check ? m->check(par) : NULL;
 }
 
 const model_family family_law = {

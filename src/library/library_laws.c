@@ -109,7 +109,7 @@ static floe_status check_solid_law(floe_context *floe, const floe_solid_law *law
     if (!law->stress || !law->wave_speed || !law->bulk_modulus || !law->shear_modulus)
         return fail(ctx, FLOE_BAD_INPUT, "law '%s' needs stress, wave_speed, bulk_modulus and shear_modulus",
                     law->name);
-    if (law->needs & ~(unsigned)(FLOE_NEEDS_F | FLOE_HAS_ENERGY | FLOE_NEEDS_TIME))
+    if (law->needs & ~(unsigned)(FLOE_NEEDS_F | FLOE_HAS_ENERGY | FLOE_NEEDS_TEMPERATURE | FLOE_NEEDS_TIME))
         return fail(ctx, FLOE_BAD_INPUT, "law '%s' needs what floe does not know: %u", law->name, law->needs);
     for (size_t i = 0; i < floe->n_law; i++)
         if (strcmp(floe->law[i].name, law->name) == 0) return refuse_name(ctx, h);

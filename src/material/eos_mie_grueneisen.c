@@ -10,18 +10,13 @@
  *
  * p, e and c are continuous but for Gamma c_v (T - T_0) in c^2 at rho_0. c^2 > 0 for every T >= 0 if Gamma < 2 s and
  * c_0^2 > Gamma (Gamma + 1) c_v T_0. The law ends where eta = 1/s. */
+#include "material/eos_mie_grueneisen.h"
+
 #include "material/eos.h"
 
 #include <math.h>
 
-typedef struct mg_par {
-    double density;       /* kg/m3, rho_0 */
-    double sound_speed;   /* m/s, c_0 */
-    double slope;         /* s */
-    double grueneisen;    /* Gamma */
-    double specific_heat; /* J/kg/K */
-    double temperature;   /* K, T_0 */
-} mg_par;
+typedef mie_grueneisen_par mg_par;
 
 static const param_spec mg_params[] = {
     PAR_POSITIVE(mg_par, density, "kg/m^3", NAN, "density without pressure at the temperature below (copper: 8930)"),
@@ -60,13 +55,21 @@ static double heat_integral(const mg_par *a, double end)
     return sum * end / a->slope;
 }
 
+/* f and df/deta at eta >= 0; `left` is 1 - s eta. */
+static void cold_curve(const mg_par *a, double eta, double left, double *f, double *slope)
+{
+    const double rho_0 = a->density, square = a->sound_speed * a->sound_speed, Gamma = a->grueneisen, s = a->slope;
+    *f = rho_0 * square * eta * (1.0 - 0.5 * Gamma * eta) / (left * left);
+    *slope = rho_0 * square * (1.0 + (s - Gamma) * eta) / (left * left * left);
+}
+
 /* At y = -ln(1 - s eta) >= 0. */
 static curve reference_compressed(const mg_par *a, double y)
 {
     const double rho_0 = a->density, square = a->sound_speed * a->sound_speed, Gamma = a->grueneisen, s = a->slope;
     const double eta = -expm1(-y) / s, left = exp(-y), warm = exp(Gamma * eta), rho = rho_0 / (1.0 - eta);
-    const double f = rho_0 * square * eta * (1.0 - 0.5 * Gamma * eta) / (left * left);
-    const double slope = rho_0 * square * (1.0 + (s - Gamma) * eta) / (left * left * left);
+    double f, slope;
+    cold_curve(a, eta, left, &f, &slope);
     const double stored = square * warm * heat_integral(a, y), p = f + Gamma * rho_0 * stored;
     return (curve){.p = p,
                    .e = a->specific_heat * a->temperature + stored,
@@ -105,6 +108,23 @@ static void mg_pressure(const void *par, size_t n, const double *restrict rho, c
         p[i] = k.p + k.G * heat;
         c2[i] = k.c2 + (k.dG + k.G * k.G / (rho[i] * rho[i])) * heat;
     }
+}
+
+mie_grueneisen_state mie_grueneisen_at(const mie_grueneisen_par *a, double rho, double e)
+{
+    const double rest = (rho - a->density) / a->density, Gamma = a->grueneisen,
+                 over = e - a->specific_heat * a->temperature;
+    if (rest <= 0.0) {
+        const curve k = reference_expanded(a, rho / a->density, rest);
+        const double heat = e - k.e;
+        return (mie_grueneisen_state){k.p + k.G * heat, k.c2 + (k.dG + k.G * k.G / (rho * rho)) * heat, k.G};
+    }
+    const double eta = (rho - a->density) / rho, left = 1.0 - a->slope * eta;
+    if (!(left > 0.0)) return (mie_grueneisen_state){NAN, NAN, NAN};
+    double f, slope;
+    cold_curve(a, eta, left, &f, &slope);
+    const double p = f + Gamma * a->density * over;
+    return (mie_grueneisen_state){p, a->density / (rho * rho) * (slope + Gamma * p), Gamma * a->density};
 }
 
 static void mg_temperature(const void *par, size_t n, const double *restrict rho, const double *restrict e,

@@ -9,3 +9,9 @@ const solid_model *solid_find(const char *name)
     }
     return NULL;
 }
+
+unsigned solid_depends_on(const solid_model *law, const void *par)
+{
+    const unsigned by_temperature = law->needs & SOLID_NEEDS_TEMPERATURE ? (unsigned)SOLID_BY_TEMPERATURE : 0U;
+    return law->depends ? law->depends(par) : by_temperature;
+}

@@ -23,9 +23,19 @@ typedef enum solid_needs {
     SOLID_NEEDS_F = FLOE_NEEDS_F,
     /* Carries internal energy as state: of fluids all, of solids what is no strain energy; takes rho0 and q. */
     SOLID_HAS_ENERGY = FLOE_HAS_ENERGY,
+    /* The stress depends on the temperature of the point. */
+    SOLID_NEEDS_TEMPERATURE = FLOE_NEEDS_TEMPERATURE,
     /* The stress depends on time: steps that are solved for give their own, too. */
     SOLID_NEEDS_TIME = FLOE_NEEDS_TIME
 } solid_needs;
+
+/* What the stress depends on, with given parameters, beside strain and history; or-ed. */
+typedef enum solid_dependence {
+    SOLID_BY_TEMPERATURE = 1, /* points carry a temperature */
+    SOLID_BY_ENERGY = 2,      /* the pressure is an equation of state: of volume and internal energy. Its work,
+                                 -(p + p') (J' - J)/2 with the mean stresses before and after, is in `energy` */
+    SOLID_BY_RATE = 4         /* of strain */
+} solid_dependence;
 
 /* A history variable of a law, which a point carries, as snapshots show it. */
 typedef floe_history solid_history;
@@ -53,6 +63,8 @@ typedef struct solid_model {
     double (*yield_stress)(const void *par);
     /* Stretch along one axis beyond which the law may have no state of plane or uniaxial stress; 0: it has all. */
     double largest_stretch;
+    /* Of solid_dependence; NULL: on none. */
+    unsigned (*depends)(const void *par);
     /* What is wrong with parameters that each are in range, as the end of a sentence; NULL if nothing. NULL: nothing
      * can be. */
     const char *(*check)(const void *par);
@@ -62,6 +74,8 @@ extern const solid_model *const solid_registry[];
 extern const size_t solid_registry_size;
 /* NULL if there is none of that name. */
 const solid_model *solid_find(const char *name);
+/* What the stress of a law depends on (solid_dependence). */
+unsigned solid_depends_on(const solid_model *law, const void *par);
 
 typedef enum stress_state {
     STRESS_FULL,    /* 3-D, plane strain, axisymmetric, uniaxial strain */

@@ -64,6 +64,7 @@ static void resolve_body(mpm *s, int index)
     b->fluid_par = (solid_fluid_par){m->eos, m->shear_viscosity, m->bulk_viscosity};
     b->law_par = b->fluid ? (const void *)&b->fluid_par : m->law_par;
     if (m->membrane) b->law_par = &b->membrane;
+    b->depends_on = solid_depends_on(b->law, b->law_par);
     b->specific_heat = m->specific_heat;
     b->warms = scene_solid_has_temperature(sc, b->scene_material, s->cells == CELLS_SMEARED);
     b->conductivity = b->warms ? m->conductivity : 0.0;
@@ -123,7 +124,8 @@ static bool body_carries(const mpm *s, int body, field_id id)
     if (id == P_DENSITY) return b->fluid;
     if (id == P_TEMP) return b->warms;
     if (id == P_TEMP_GRADIENT) return b->warms && b->conductivity > 0.0;
-    if (id == P_THERMAL_STRETCH || id == P_STRESS_FREE) return b->expansion != 0.0;
+    if (id == P_THERMAL_STRETCH) return b->expansion != 0.0;
+    if (id == P_STRESS_FREE) return b->expansion != 0.0 || (b->warms && b->depends_on != 0);
     if (id == P_DISSIPATED) return dissipates_heat(s, body) || b->expansion != 0.0;
     if (id == P_SHARE || id == P_MASS_LEFT) return b->burns;
     if (id == P_MEAN_PRESSURE) return b->mean_strain;

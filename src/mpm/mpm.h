@@ -23,6 +23,7 @@ typedef struct mpm_body {
     int scene_material;
     const solid_model *law;
     const void *law_par;
+    unsigned depends_on;            /* solid_dependence: what the stress depends on beside strain */
     solid_fluid_par fluid_par;      /* law_par points here for fluids */
     double specific_heat;           /* J/kg/K, of solids */
     bool warms;                     /* its points carry a temperature (thermal/thermal.h) */

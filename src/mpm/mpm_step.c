@@ -48,7 +48,7 @@ floe_status mpm_begin_step(mpm *s)
         WHEN(s->carries[P_VISCOUS_PRESSURE], P_VISCOUS_PRESSURE), WHEN(s->carries[P_BOX], P_BOX), HISTORY, \
         MEMBRANE_STRAIN, SURFACE_VECTORS, WHEN(s->carries[P_THERMAL_STRETCH], P_THERMAL_STRETCH)
 /* What stress also reads and writes of bodies that have a temperature. */
-#define EXPANDING WHEN(s->carries[P_THERMAL_STRETCH], P_TEMP), WHEN(s->carries[P_THERMAL_STRETCH], P_STRESS_FREE)
+#define EXPANDING WHEN(s->carries[P_STRESS_FREE], P_TEMP), WHEN(s->carries[P_STRESS_FREE], P_STRESS_FREE)
 #define DISSIPATED WHEN(s->carries[P_DISSIPATED], P_DISSIPATED)
 
 static bool is_usf(const mpm *s)
@@ -283,7 +283,7 @@ static floe_status implicit_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_implicit_solve,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(meets_at_points(s), N_REACH), P_MASS,
                 P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->carries[P_DRIVE], P_DRIVE), POINT_STATE, EXPANDING),
-          WRITES(P_POS, P_VEL, POINT_STATE, WHEN(s->carries[P_THERMAL_STRETCH], P_TEMP), WHEN(has_edges(s), N_FILL)));
+          WRITES(P_POS, P_VEL, POINT_STATE, WHEN(s->carries[P_STRESS_FREE], P_TEMP), WHEN(has_edges(s), N_FILL)));
     return FLOE_OK;
 }
 

@@ -40,7 +40,8 @@ static void remark_no_plastic_work(remark_speaker *w, const scene_material *m)
 
 static void remark_no_expansion(remark_speaker *w, const scene_material *m)
 {
-    if (!(m->stress_free_temperature > 0.0) || m->expansion != 0.0) return;
+    const bool expands = m->expansion != 0.0 || (solid_depends_on(m->law, m->law_par) & SOLID_BY_ENERGY);
+    if (!(m->stress_free_temperature > 0.0) || expands) return;
     remark_set_key(w, "materials", m->name, "stress_free_temperature");
     remark_key(w, "solid '%s' has no `expansion`: its temperature strains nothing", m->name);
 }

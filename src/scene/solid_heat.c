@@ -28,6 +28,7 @@ bool scene_solid_has_temperature(const scene *s, int material, bool smeared)
     if (m->kind != MATERIAL_SOLID || !m->law || !(m->specific_heat > 0.0) || scene_material_burns(s, material))
         return false;
     return m->conductivity > 0.0 || m->expansion != 0.0 || m->plastic_heat > 0.0 ||
+           (solid_depends_on(m->law, m->law_par) & SOLID_BY_TEMPERATURE) ||
            (smeared && scene_solid_exchanges_heat(s, material));
 }
 

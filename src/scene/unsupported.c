@@ -166,7 +166,13 @@ static floe_status refuse_materials(const scene *s, scene_coupling coupling)
 /* Whether the points of a material conduct, are heated or expand, whatever they share cells with. */
 static const char *heat_key(const scene_material *m)
 {
-    return m->conductivity > 0.0 ? "conductivity" : m->plastic_heat > 0.0 ? "plastic_heat" : "expansion";
+    if (m->conductivity > 0.0) return "conductivity";
+    return m->plastic_heat > 0.0 ? "plastic_heat" : m->expansion != 0.0 ? "expansion" : "law";
+}
+
+static bool is_solved_for(const scene *s)
+{
+    return s->time.solver == SOLVER_STATIC || s->time.solver == SOLVER_IMPLICIT;
 }
 
 static floe_status refuse_heat_of_solid(const scene *s, const scene_material *m)
@@ -180,20 +186,44 @@ static floe_status refuse_heat_of_solid(const scene *s, const scene_material *m)
                         "with method.basis linear conduction has no stable step where nodes are light: take quadratic, "
                         "cubic, gimp or cpdi");
     const bool changes = m->conductivity > 0.0 || m->plastic_heat > 0.0 || (m->law && m->law->needs & SOLID_HAS_ENERGY);
-    if (changes && (s->time.solver == SOLVER_STATIC || s->time.solver == SOLVER_IMPLICIT))
+    if (changes && is_solved_for(s))
         return fail_key(s->ctx, key,
                         "time.solver static and implicit keep the temperatures of solids as they are, which conduction "
                         "and plastic work change: take explicit steps");
     return FLOE_OK;
 }
 
-/* Of solids with a temperature by a key of their own. */
+/* What laws ask of their scene that depend on more than strain. */
+static floe_status refuse_law_of_solid(const scene *s, const scene_material *m, unsigned by)
+{
+    if ((by & SOLID_BY_TEMPERATURE) && !(m->specific_heat > 0.0))
+        return fail_key(
+            s->ctx, KEY("materials", m->name, "law"),
+            "law '%s' depends on temperature, which a solid has with a specific_heat: give the material's, or "
+            "leave melting_temperature out",
+            m->law->name);
+    if ((by & SOLID_BY_RATE) && is_solved_for(s))
+        return fail_key(s->ctx, KEY("materials", m->name, "law"),
+                        "law '%s' depends on the rate of strain, which time.solver static and implicit do not give it: "
+                        "leave rate_coefficient out, or take explicit steps",
+                        m->law->name);
+    if ((by & SOLID_BY_ENERGY) && m->expansion != 0.0)
+        return fail_key(s->ctx, KEY("materials", m->name, "expansion"),
+                        "a Mie-Grueneisen pressure expands the solid already, by grueneisen times specific_heat times "
+                        "density over three bulk moduli: leave expansion out");
+    return FLOE_OK;
+}
+
+/* Of solids with a temperature by a key of their own, or a law that depends on it. */
 static floe_status refuse_heat_of_solids(const scene *s, scene_coupling coupling)
 {
     for (int m = 0; m < s->n_materials && coupling != COUPLING_ICE; ++m) {
         const scene_material *of = &s->material[m];
         if (of->kind != MATERIAL_SOLID || !has_body_of(s, m)) continue;
-        if (of->conductivity > 0.0 || of->plastic_heat > 0.0 || of->expansion != 0.0) TRY(refuse_heat_of_solid(s, of));
+        const unsigned by = of->law ? solid_depends_on(of->law, of->law_par) : 0;
+        TRY(refuse_law_of_solid(s, of, by));
+        if (of->conductivity > 0.0 || of->plastic_heat > 0.0 || of->expansion != 0.0 || (by & SOLID_BY_TEMPERATURE))
+            TRY(refuse_heat_of_solid(s, of));
     }
     return FLOE_OK;
 }

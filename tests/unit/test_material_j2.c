@@ -9,7 +9,9 @@
 static const double K = 1.3e11, G = 4.5e10, Y = 4e8, H = 1e9, RHO = 8900.0;
 
 typedef struct j2_values {
-    double K, G, yield, hardening, strength; /* Pa */
+    double K, G, slope, grueneisen;
+    double yield, hardening, strength; /* Pa */
+    double failure_strain, failure_energy;
 } j2_values;
 
 static void batch_start(solid_batch *b)
@@ -34,7 +36,7 @@ static void step(const j2_values *par, solid_batch *b, const double L[9])
 static void test_uniaxial_strain(void **state)
 {
     (void)state;
-    const j2_values par = {K, G, Y, H, 0.0};
+    const j2_values par = {K, G, 0.0, 0.0, Y, H, 0.0, 0.0, 0.0};
     const double e = 0.03;
     for (int n = 1; n <= 1000; n *= 10) {
         solid_batch b;
@@ -52,7 +54,7 @@ static void test_uniaxial_strain(void **state)
 static void test_elastic(void **state)
 {
     (void)state;
-    const j2_values par = {K, G, Y, H, 0.0};
+    const j2_values par = {K, G, 0.0, 0.0, Y, H, 0.0, 0.0, 0.0};
     solid_batch b, elastic;
     batch_start(&b);
     batch_start(&elastic);
@@ -70,7 +72,7 @@ static void test_elastic(void **state)
 static void test_shear(void **state)
 {
     (void)state;
-    const j2_values par = {K, G, Y, H, 0.0};
+    const j2_values par = {K, G, 0.0, 0.0, Y, H, 0.0, 0.0, 0.0};
     const double gamma = 0.05, alpha = (sqrt(3.0) * G * gamma - Y) / (3.0 * G + H);
     for (int n = 1; n <= 100; n *= 10) {
         solid_batch b;
@@ -89,7 +91,7 @@ static void test_shear(void **state)
 static void test_simple_shear(void **state)
 {
     (void)state;
-    const j2_values par = {K, G, Y, H, 0.0};
+    const j2_values par = {K, G, 0.0, 0.0, Y, H, 0.0, 0.0, 0.0};
     double last[3] = {0};
     for (int n = 100, k = 0; k < 3; n *= 2, k++) {
         solid_batch b;
@@ -109,7 +111,7 @@ static void test_simple_shear(void **state)
 static void test_cycles(void **state)
 {
     (void)state;
-    const j2_values par = {K, G, Y, 0.0, 0.0};
+    const j2_values par = {K, G, 0.0, 0.0, Y, 0.0, 0.0, 0.0, 0.0};
     const double a = 0.02, yield = Y / sqrt(3.0);
     const int quarter = 200;
     solid_batch b;
@@ -136,7 +138,7 @@ static void test_tension_cut_off(void **state)
 {
     (void)state;
     const double strength = 5e8;
-    const j2_values par = {K, G, Y, H, strength};
+    const j2_values par = {K, G, 0.0, 0.0, Y, H, strength, 0.0, 0.0};
     solid_batch b;
     batch_start(&b);
     const double pull = 1e-4;
@@ -167,11 +169,85 @@ static void test_tension_cut_off(void **state)
     check_close(b.history[1][0], 1.0, 0.0);
 }
 
+/* Failure by plastic strain, and by plastic work, which is (Y + H alpha/2) alpha: in the step after alpha has come to it. */
+static void test_failure(void **state)
+{
+    (void)state;
+    const double most = 0.02, work = (Y + 0.5 * H * most) * most;
+    const j2_values par[2] = {{K, G, 0.0, 0.0, Y, H, 0.0, most, 0.0}, {K, G, 0.0, 0.0, Y, H, 0.0, 0.0, work}};
+    for (int by_work = 0; by_work < 2; by_work++) {
+        solid_batch b;
+        batch_start(&b);
+        const double half = 1e-4;
+        double last = 0.0, heat = 0.0;
+        for (int n = 0; n < 1000 && b.history[1][0] == 0.0; n++) {
+            last = b.history[0][0];
+            heat = b.energy[0];
+            step(&par[by_work], &b, (const double[9]){-1e-5, half, 0, half, 0, 0, 0, 0, 0});
+        }
+        check_true(last >= most && last < most + 2.0 * half / sqrt(3.0) + 1e-12);
+        check_close(b.history[0][0], last, 0.0);
+        check_close(b.stress[3][0], 0.0, 0.0);
+        check_close(b.stress[0][0], b.stress[1][0], 0.0);
+        check_true(b.stress[0][0] < 0.0 && b.energy[0] > heat);
+        check_close(b.history[2][0], 0.0, 0.0);
+    }
+}
+
+/* The Mie-Grueneisen pressure of the equation of state: along its isentrope in compression and expansion, and, at round-off, the same in
+ * shear; elastic work comes back. */
+static void test_shock_pressure(void **state)
+{
+    (void)state;
+    const double s = 1.489, gamma = 1.99;
+    const j2_values par = {K, G, s, gamma, 1e12, 0.0, 0.0, 0.0, 0.0};
+    const double curve[6] = {RHO, sqrt(K / RHO), s, gamma, 383.0, 0.0};
+    const eos_model *law = eos_find("mie_grueneisen");
+    for (int sign = -1; sign <= 1; sign += 2) {
+        double error[2];
+        for (int fine = 0; fine < 2; fine++) {
+            const int steps = fine ? 400 : 200;
+            const double strain = sign * 0.15 / 3.0 / steps;
+            solid_batch b;
+            batch_start(&b);
+            b.heat[0] = 0.0;
+            for (int n = 0; n < steps; n++) step(&par, &b, (const double[9]){strain, 0, 0, 0, strain, 0, 0, 0, strain});
+            const double rho = RHO / b.J[0], none = 0.0;
+            double e, p, c2, psi, c;
+            law->energy(curve, 1, &rho, &none, &e);
+            law->pressure(curve, 1, &rho, &e, &p, &c2);
+            error[fine] = fmax(fabs(-b.stress[0][0] / p - 1.0), fabs(b.energy[0] / e - 1.0));
+            solid_find("j2")->wave_speed(&par, 0.0, &b, &c);
+            check_close_relative(c * c, c2 + 4.0 / 3.0 * G / rho, 1e-3);
+            solid_find("j2")->strain_energy(&par, &b, &psi);
+            check_close(psi, 0.0, 1e-6 * RHO * b.energy[0]);
+            for (int n = 0; n < steps; n++)
+                step(&par, &b, (const double[9]){-strain, 0, 0, 0, -strain, 0, 0, 0, -strain});
+            check_close(b.energy[0], 0.0, 1e-12 * e);
+            check_close(b.stress[0][0], 0.0, 1e-11 * K);
+        }
+        print_message("isentrope %s: %.1e, twice the step %.1e\n", sign < 0 ? "compressed" : "expanded", error[1],
+                      error[0]);
+        check_true(error[1] <= 1e-5 && error[0] >= 3.5 * error[1]);
+    }
+    /* heat c (T - T0) raises the pressure by Gamma rho0 of it; beyond 1 - J = 1/s there is none */
+    solid_batch b;
+    batch_start(&b);
+    b.heat[0] = 383.0 * 100.0;
+    step(&par, &b, (const double[9]){0});
+    check_close_relative(-b.stress[0][0], gamma * RHO * 38300.0, 1e-12);
+    batch_start(&b);
+    b.J[0] = 1.0 - 1.0 / s;
+    assert_int_equal(solid_find("j2")->stress(&par, 0.0, &b), 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_uniaxial_strain), cmocka_unit_test(test_elastic), cmocka_unit_test(test_shear),
-        cmocka_unit_test(test_simple_shear),    cmocka_unit_test(test_cycles),  cmocka_unit_test(test_tension_cut_off),
+        cmocka_unit_test(test_uniaxial_strain), cmocka_unit_test(test_elastic),
+        cmocka_unit_test(test_shear),           cmocka_unit_test(test_simple_shear),
+        cmocka_unit_test(test_cycles),          cmocka_unit_test(test_tension_cut_off),
+        cmocka_unit_test(test_failure),         cmocka_unit_test(test_shock_pressure),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -71,7 +71,8 @@ static const key_spec material_keys[] = {
      .applies = material_is_solid, .belongs = solids_only,
      .otherwise = "not used; needed by ice-mpm, and by solids with a temperature",
      .doc = "specific heat of a solid. Its points carry a temperature where something heats it or responds to that: "
-            "with `conductivity`, `plastic_heat`, `expansion`, or heat exchange with a fluid"},
+            "with `conductivity`, `plastic_heat`, `expansion`, a law that depends on temperature, or heat exchange "
+            "with a fluid"},
     {"tension_switch", KEY_NUMBER, "Pa", PARAM_POSITIVE, AT(scene_material, tension_switch),
      .applies = material_is_solid, .belongs = solids_only, .otherwise = "the ambient pressure",
      .doc = "absolute pressure below which the cells' view of the solid switches to its tension branch"},
@@ -88,7 +89,7 @@ static const key_spec material_keys[] = {
      .doc = "linear thermal expansion: an unloaded solid is longer by this share for each kelvin"},
     {"stress_free_temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_material, stress_free_temperature),
      .applies = material_has_law, .belongs = laws_only, .otherwise = "that of each point at the start",
-     .doc = "at which a solid with `expansion` has its shape without stress"},
+     .doc = "at which a solid with `expansion`, or with a Mie-Grueneisen pressure, has its shape without stress"},
     {"artificial_viscosity", KEY_MAP, .table = &artificial_table,
      .doc = "Wilkins' artificial viscosity of material points"},
 };

@@ -35,6 +35,18 @@ static floe_status set_strain(mpm *s, int blk, int body, size_t k, const double 
     return FLOE_OK;
 }
 
+/* A pressure that is an equation of state is that of the volume, which starts as that at rest. */
+static floe_status refuse_first_pressure(const mpm *s, int body, const double stress[6])
+{
+    const mpm_body *b = &s->body[body];
+    if (stress[0] + stress[1] + stress[2] == 0.0) return FLOE_OK;
+    return fail_key(
+        s->ctx, KEY("bodies", s->scene->body[b->scene_body].name, "state"),
+        "exact: the solution starts from a pressure, and the Mie-Grueneisen pressure of law '%s' is that of "
+        "its volume and energy: leave shock_slope and grueneisen out",
+        b->law->name);
+}
+
 /* Unless the deck says at which temperature it is without stress, a solid that expands is so at the start. */
 static floe_status set_temperature(mpm *s, int blk, int body, size_t k, const double x[3])
 {
@@ -44,8 +56,8 @@ static floe_status set_temperature(mpm *s, int blk, int body, size_t k, const do
     if (!fields_has(f, P_TEMP, body)) return FLOE_OK;
     TRY(scene_number(s->scene, &s->scene->body[b->scene_body].temperature, x, 0.0, &T));
     field_get(f, P_TEMP, body, 0)[k] = T;
-    if (!fields_has(f, P_THERMAL_STRETCH, body)) return FLOE_OK;
-    field_get(f, P_THERMAL_STRETCH, body, 0)[k] = 1.0;
+    if (fields_has(f, P_THERMAL_STRETCH, body)) field_get(f, P_THERMAL_STRETCH, body, 0)[k] = 1.0;
+    if (!fields_has(f, P_STRESS_FREE, body)) return FLOE_OK;
     field_get(f, P_STRESS_FREE, body, 0)[k] = isnan(b->stress_free_temperature) ? T : b->stress_free_temperature;
     return FLOE_OK;
 }
@@ -66,6 +78,7 @@ static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x
         TRY(body_solid_state(s->scene, b->scene_body, x, velocity, stress));
         if (fields_has(f, P_ENERGY, body)) field_get(f, P_ENERGY, body, 0)[k] = 0.0;
         if (b->law->needs & SOLID_NEEDS_F) TRY(set_strain(s, blk, body, k, stress));
+        if (b->depends_on & SOLID_BY_ENERGY) TRY(refuse_first_pressure(s, body, stress));
         TRY(set_temperature(s, blk, body, k, x));
     }
     field_get(f, P_MASS, body, 0)[k] = density * volume;

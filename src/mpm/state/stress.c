@@ -63,6 +63,7 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
         for (size_t k = 0; k < n; ++k) batch->F[4][k] = batch->F[8][k] = 1.0;
     for (int k = 0; k < b->law->n_history; ++k)
         memcpy(batch->history[k], get(f, history_field(k), body, 0) + start, bytes);
+    if (b->depends_on) load_heat(s, blk, body, start, batch);
     if (!(b->law->needs & SOLID_HAS_ENERGY) && !has_artificial(b)) return; /* other laws take neither */
     if (b->law->needs & SOLID_HAS_ENERGY) memcpy(batch->energy, get(f, P_ENERGY, body, 0) + start, bytes);
     load_density(f, body, start, batch);
@@ -86,6 +87,7 @@ void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end,
     for (int k = 0; deformed && k < b->law->n_history; ++k)
         memcpy(batch->history[k], field_get(f, history_field(k), body, 0) + start, bytes);
     if (b->law->needs & SOLID_HAS_ENERGY) memcpy(batch->energy, field_get(f, P_ENERGY, body, 0) + start, bytes);
+    if (b->depends_on) load_heat(s, blk, body, start, batch);
     if (has_artificial(b)) memcpy(batch->q, field_get(f, P_VISCOUS_PRESSURE, body, 0) + start, bytes);
 }
 

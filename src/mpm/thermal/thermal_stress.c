@@ -10,6 +10,18 @@ static bool goes_by_F(const mpm_body *b)
     return (b->law->needs & SOLID_NEEDS_F) != 0;
 }
 
+void load_heat(const mpm *s, int blk, int body, size_t start, solid_batch *b)
+{
+    const fields *f = s->domain->fields[blk];
+    const mpm_body *m = &s->body[body];
+    const double *T = m->warms ? field_get(f, P_TEMP, body, 0) + start : NULL,
+                 *free = m->warms ? field_get(f, P_STRESS_FREE, body, 0) + start : NULL;
+    for (size_t k = 0; k < b->n; ++k) {
+        b->temperature[k] = T ? T[k] : 0.0;
+        b->heat[k] = T ? m->specific_heat * (T[k] - free[k]) : 0.0;
+    }
+}
+
 /* F and J times powers of `stretch` or of its inverse. */
 static void scale_deformation(solid_batch *b, const double *stretch, bool inverse)
 {
@@ -46,12 +58,22 @@ void begin_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_b
     const fields *f = s->domain->fields[blk];
     const mpm_body *m = &s->body[body];
     if (m->law->needs & SOLID_HAS_ENERGY) memcpy(t->energy, b->energy, b->n * sizeof *t->energy);
+    for (size_t k = 0; (m->depends_on & SOLID_BY_ENERGY) && k < b->n; ++k)
+        t->trace[k] = b->stress[0][k] + b->stress[1][k] + b->stress[2][k];
     if (m->expansion == 0.0) return;
     for (int a = 0; a < 3; ++a) memcpy(t->rate[a], b->L[4 * a], b->n * sizeof *t->rate[a]);
     take_out_strain(strain_share(s) * m->expansion, field_get(f, P_TEMP, body, 0) + start,
                     field_get(f, P_STRESS_FREE, body, 0) + start, field_get(f, P_THERMAL_STRETCH, body, 0) + start, b,
                     t);
     if (goes_by_F(m)) scale_deformation(b, t->stretch, true);
+}
+
+/* An equation of state has the work of its pressure in the energy of the law, where it stays. */
+static void leave_work_of_pressure(const solid_batch *b, const double *trace, double *before)
+{
+    for (size_t k = 0; k < b->n; ++k)
+        before[k] += (trace[k] + b->stress[0][k] + b->stress[1][k] + b->stress[2][k]) / 6.0 * (b->J[k] - b->J_old[k]) /
+                     b->rho0[k];
 }
 
 /* Artificial viscosity makes heat alone; of plastic work a share becomes heat, and the rest stays energy of the law. */
@@ -81,9 +103,10 @@ static void take_thermal_work(const mpm *s, int blk, int body, size_t start, con
     }
 }
 
-void end_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, const thermal_batch *t)
+void end_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, thermal_batch *t)
 {
     const mpm_body *m = &s->body[body];
+    if (m->depends_on & SOLID_BY_ENERGY) leave_work_of_pressure(b, t->trace, t->energy);
     if (dissipates_heat(s, body)) put_heat_aside(s, blk, body, start, b, t->energy);
     if (m->expansion == 0.0) return;
     if (goes_by_F(m)) scale_deformation(b, t->stretch, false);

@@ -4,6 +4,9 @@
 
 #include "mpm/mpm.h"
 
+/* Temperature and heat of a batch of a body whose law depends on them; 0 where its points carry no temperature. */
+void load_heat(const mpm *s, int blk, int body, size_t start, solid_batch *b);
+
 /* Of a batch of a body that warms, between the two calls below. */
 typedef struct thermal_batch {
     double energy[SOLID_CHUNK];  /* J/kg: before the law */
@@ -16,7 +19,7 @@ typedef struct thermal_batch {
 /* Before the law: takes the thermal strain out of rates, or out of F and J. */
 void begin_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, thermal_batch *t);
 /* After the law: F and J as they are; the heat of the step leaves the law's energy and is put aside for the points. */
-void end_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, const thermal_batch *t);
+void end_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, thermal_batch *t);
 /* psi (J/m3, per initial volume) of a law that goes by F, of the current state in b. */
 void thermal_strain_energy(const mpm *s, int blk, int body, size_t start, solid_batch *b, double *psi);
 
