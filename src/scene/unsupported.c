@@ -197,11 +197,11 @@ static floe_status refuse_heat_of_solid(const scene *s, const scene_material *m)
 static floe_status refuse_law_of_solid(const scene *s, const scene_material *m, unsigned by)
 {
     if ((by & SOLID_BY_TEMPERATURE) && !(m->specific_heat > 0.0))
-        return fail_key(
-            s->ctx, KEY("materials", m->name, "law"),
-            "law '%s' depends on temperature, which a solid has with a specific_heat: give the material's, or "
-            "leave melting_temperature out",
-            m->law->name);
+        return fail_key(s->ctx, KEY("materials", m->name, "law"),
+                        "law '%s' depends on temperature, which a solid has with a specific_heat: give the material's, "
+                        "or leave out "
+                        "what depends on it (melting_temperature)",
+                        m->law->name);
     if ((by & SOLID_BY_RATE) && is_solved_for(s))
         return fail_key(s->ctx, KEY("materials", m->name, "law"),
                         "law '%s' depends on the rate of strain, which time.solver static and implicit do not give it: "

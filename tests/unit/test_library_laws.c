@@ -267,13 +267,70 @@ static void keeps_histories(void **state)
     floe_destroy(&floe);
 }
 
+/* Stress is none; the history has the temperature and the heat that the law is given. */
+static size_t see_temperature(const void *par, double p_ref, floe_solid_batch *b)
+{
+    (void)par;
+    (void)p_ref;
+    for (size_t i = 0; i < b->n; i++) {
+        b->history[0][i] = b->temperature[i];
+        b->history[1][i] = b->heat[i];
+    }
+    return 0;
+}
+
+/* A law that asks for the temperature of its points gets it, and with it the material's specific heat is needed. */
+static void knows_the_temperature(void **state)
+{
+    (void)state;
+    static const floe_history seen[] = {{"seen", "K", "temperature"}, {"heat", "J/kg", "heat"}};
+    static const char *const cold[] = {"materials.metal.specific_heat=null"},
+                             *const hot[] = {"bodies.left.temperature=400",
+                                             "materials.metal.stress_free_temperature=300"};
+    floe_context *floe = floe_create();
+    floe_parameter parameters[32];
+    floe_solid_law law = my_metal(parameters);
+    law.name = "my_warm_metal";
+    law.needs = FLOE_NEEDS_TEMPERATURE;
+    law.stress = see_temperature;
+    law.strain_energy = NULL;
+    law.history = seen;
+    law.n_history = 2;
+    floe_deck *deck;
+    floe_simulation *s;
+    char text[2048];
+    double *T = NULL;
+    size_t n = 0;
+    assert_int_equal(floe_init(), FLOE_OK);
+    assert_int_equal(floe_add_solid_law(floe, &law), FLOE_OK);
+    (void)snprintf(text, sizeof text, bar, "my_warm_metal");
+    accepted(floe, floe_load_text(floe, "bar", text, cold, 1, &deck));
+    refused(floe, floe_simulation_create(deck, NULL, &s), "specific_heat");
+    floe_deck_destroy(&deck);
+    char *at = strstr(text, "density:");
+    memmove(at + strlen("specific_heat: 500 J/kg/K, "), at, strlen(at) + 1);
+    memcpy(at, "specific_heat: 500 J/kg/K, ", strlen("specific_heat: 500 J/kg/K, "));
+    accepted(floe, floe_load_text(floe, "bar", text, hot, 2, &deck));
+    accepted(floe, floe_simulation_create(deck, NULL, &s));
+    accepted(floe, floe_advance(s, 1e-6));
+    for (int k = 0; k < 2; k++) {
+        assert_int_equal(floe_copy_field(s, k == 0 ? "points/left/seen" : "points/left/heat", NULL, 0, &n), FLOE_OK);
+        T = malloc(n * sizeof *T);
+        assert_int_equal(floe_copy_field(s, k == 0 ? "points/left/seen" : "points/left/heat", T, n, NULL), FLOE_OK);
+        for (size_t i = 0; i < n; i++) assert_true(fabs(T[i] - (k == 0 ? 400.0 : 500.0 * 100.0)) < 1e-9);
+        free(T);
+    }
+    floe_simulation_destroy(&s);
+    floe_deck_destroy(&deck);
+    floe_destroy(&floe);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(refuses_laws_with_a_reason),
-        cmocka_unit_test(gives_the_bits_of_the_same_law),
-        cmocka_unit_test(reads_parameters_like_any_other),
-        cmocka_unit_test(keeps_histories),
+        cmocka_unit_test(refuses_laws_with_a_reason),      cmocka_unit_test(gives_the_bits_of_the_same_law),
+        cmocka_unit_test(reads_parameters_like_any_other), cmocka_unit_test(keeps_histories),
+        cmocka_unit_test(knows_the_temperature),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
