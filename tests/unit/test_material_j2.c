@@ -230,6 +230,18 @@ static void test_shock_pressure(void **state)
                       error[0]);
         check_true(error[1] <= 1e-5 && error[0] >= 3.5 * error[1]);
     }
+    /* a point that fails under pressure keeps it, and what shear had stored is internal energy */
+    const j2_values brittle = {K, G, s, gamma, Y, H, 0.0, 1e-3, 0.0};
+    solid_batch f;
+    batch_start(&f);
+    for (int n = 0; n < 100 && f.history[0][0] < 1e-3; n++)
+        step(&brittle, &f, (const double[9]){-1e-3, 1e-3, 0, 1e-3, 0, 0, 0, 0, 0});
+    double stored, energy = f.energy[0], p = -(f.stress[0][0] + f.stress[1][0] + f.stress[2][0]) / 3.0;
+    solid_find("j2")->strain_energy(&brittle, &f, &stored);
+    step(&brittle, &f, (const double[9]){0});
+    check_close(f.history[1][0], 1.0, 0.0);
+    check_close_relative(RHO * (f.energy[0] - energy), stored, 1e-9);
+    check_close(-f.stress[0][0], p + gamma * stored, 1e-6 * p);
     /* heat c (T - T0) raises the pressure by Gamma rho0 of it; beyond 1 - J = 1/s there is none */
     solid_batch b;
     batch_start(&b);

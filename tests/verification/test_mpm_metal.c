@@ -34,6 +34,7 @@ static const double shock_rho = 8930.0, shock_c0 = 3940.0, shock_s = 1.489, shoc
  * u^2/2 = e, of which J Y^2/(6 G rho0) is stored in shear; p = f(eta) + Gamma rho0 (e - e_shear), eta = u/U. By bisection. */
 typedef struct jump {
     double stress, speed, ratio; /* Pa, m/s towards the block at rest, density over that before */
+    double heating;              /* K */
 } jump;
 
 static double jump_residual(double eta, double u, double Y, double *stress)
@@ -43,6 +44,23 @@ static double jump_residual(double eta, double u, double Y, double *stress)
         shock_rho * shock_c0 * shock_c0 * eta * (1.0 - 0.5 * shock_Gamma * eta) / pow(1.0 - shock_s * eta, 2);
     *stress = f + shock_Gamma * shock_rho * e + 2.0 / 3.0 * Y;
     return *stress - shock_rho * u * u / eta;
+}
+
+/* Of a steady shock, sigma = rho0 U^2 eta and e = U^2 eta^2/2 within it too: what viscosity does, the integral of sigma - p - 2/3 Y, and nine
+ * tenths of the plastic work are heat. */
+static double heating_of(double speed, double end, double Y)
+{
+    enum { PARTS = 2000 };
+    double heat = 0.0;
+    for (int k = 0; k < PARTS; ++k) {
+        const double eta = (k + 0.5) / PARTS * end, shear = fmin(2.0 / 3.0 * Y, 4.0 / 3.0 * shock_G * eta);
+        const double e = 0.5 * speed * speed * eta * eta - (1.0 - eta) * 0.375 * shear * shear / (shock_G * shock_rho);
+        const double f =
+            shock_rho * shock_c0 * shock_c0 * eta * (1.0 - 0.5 * shock_Gamma * eta) / pow(1.0 - shock_s * eta, 2);
+        const double viscous = shock_rho * speed * speed * eta - f - shock_Gamma * shock_rho * e - shear;
+        heat += (viscous + (eta > 0.5 * Y / shock_G ? 0.9 * shear : 0.0)) * end / PARTS;
+    }
+    return heat / (shock_rho * 383.0);
 }
 
 static jump jump_of(double u, double Y)
@@ -55,12 +73,12 @@ static jump jump_of(double u, double Y)
         else
             high = middle;
     }
-    return (jump){stress, u / low, 1.0 / (1.0 - low)};
+    return (jump){stress, u / low, 1.0 / (1.0 - low), heating_of(u / low, low, Y)};
 }
 
 typedef struct plateau {
-    double from, to, stress, ratio, n; /* m; sums */
-    double front, sharp;               /* m: where the stress is half, of the points about it */
+    double from, to, stress, ratio, T, n; /* m; sums */
+    double front, sharp;                  /* m: where the stress is half, of the points about it */
     double half;
 } plateau;
 
@@ -72,6 +90,7 @@ static void add_plateau(void *user, const fields *f, int body, size_t k)
     if (x < p->from || x > p->to) return;
     p->stress += stress;
     p->ratio += 1.0 / field_get(f, P_J, body, 0)[k];
+    if (field_get(f, P_TEMP, body, 0)) p->T += field_get(f, P_TEMP, body, 0)[k];
     p->n += 1.0;
 }
 
@@ -82,7 +101,7 @@ typedef struct shock_case {
 } shock_case;
 
 typedef struct shock_error {
-    double stress, ratio, front, energy;
+    double stress, ratio, heating, front, energy;
 } shock_error;
 
 static shock_error shock_error_of(const shock_case *c, double h)
@@ -116,12 +135,14 @@ static shock_error shock_error_of(const shock_case *c, double h)
     plateau p = {.from = 0.2 * front, .to = 0.7 * front, .half = 0.5 * behind.stress};
     visit_points(&t, 0, add_plateau, &p);
     const shock_error e = {fabs(p.stress / (p.n * behind.stress) - 1.0), fabs(p.ratio / (p.n * behind.ratio) - 1.0),
+                           c->warm ? fabs((p.T / p.n - 300.0) / behind.heating - 1.0) : 0.0,
                            fabs(p.front / front - 1.0), ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY)};
     check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MOMENTUM_X) <= 1e-12);
     trial_end(&t);
-    print_message("%s %g m/s, yield %g MPa%s, h = %g: %.2f GPa off by %.1e, density %.1e, front %.1e, energy %.1e\n",
+    print_message("%s %g m/s, yield %g MPa%s, h = %g: %.2f GPa off by %.1e, density %.1e, heating of %.1f K %.1e, "
+                  "front %.1e, energy %.1e\n",
                   c->law, c->speed, 1e-6 * c->yield, c->warm ? ", warm" : "", h, 1e-9 * behind.stress, e.stress,
-                  e.ratio, e.front, e.energy);
+                  e.ratio, behind.heating, e.heating, e.front, e.energy);
     return e;
 }
 
@@ -139,10 +160,11 @@ static void test_shocks(void **state)
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         const shock_error coarse = shock_error_of(&cases[k], 0.01), fine = shock_error_of(&cases[k], 0.005);
         /* points of a cell differ by 3 % of the stress; the front is found to half a cell, 0.5 % of its way at the finer spacing */
-        check_true(fine.stress <= 6e-3 && coarse.stress <= 6e-3); /* 0.8e-3 to 3.4e-3 */
-        check_true(fine.ratio <= 1e-3 && coarse.ratio <= 1e-3);   /* 0.1e-3 to 0.5e-3 */
-        check_true(fine.front <= 1.5e-2 && coarse.front <= 3e-2); /* 1.0e-2, 2.0e-2 */
-        check_true(fine.energy <= 1.5e-2);                        /* 7.7e-3; 2.8e-3 at a quarter of the step */
+        check_true(fine.stress <= 6e-3 && coarse.stress <= 6e-3);     /* 0.8e-3 to 3.4e-3 */
+        check_true(fine.ratio <= 1e-3 && coarse.ratio <= 1e-3);       /* 0.1e-3 to 0.5e-3 */
+        check_true(fine.heating <= 1.6e-2 && coarse.heating <= 0.15); /* 0.8e-2, 7.7e-2 */
+        check_true(fine.front <= 1.5e-2 && coarse.front <= 3e-2);     /* 1.0e-2, 2.0e-2 */
+        check_true(fine.energy <= 1.5e-2);                            /* 7.7e-3; 2.8e-3 at a quarter of the step */
     }
 }
 
