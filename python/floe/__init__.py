@@ -15,6 +15,12 @@ Pictures, figures and pages are modules of their own, which need matplotlib (and
     floe.pictures.write_png("out/sod-ice/fields/000004.h5", "sod.png")
     floe.report.write(floe.report.Request(["out/sod-compare"], "sod.html"))
 
+A deck is stepped by floe's library, fields without copies, with callbacks and laws of your own (floe.scene, floe.laws); numpy alone is needed:
+
+    with floe.Scene("deck.yaml", settings={"domain.cell": 0.05}) as scene:
+        scene.step()
+        scene.cells["pressure"], scene.points["block"]["stress_xx"]
+
 `floe picture`, `floe report` and the plots of `floe compare`, `study` and `stability` come from here too (floe.command).
 """
 import importlib
@@ -23,15 +29,20 @@ from .results import Quantity, Result, Snapshot
 from .cases import Cases, order
 from .tables import figure, markdown, percent
 
-__all__ = ["Cases", "Quantity", "Result", "Snapshot", "figure", "markdown", "order", "percent"]
+__all__ = ["Cases", "Diverged", "EquationOfState", "Error", "FileError", "InputError", "Interrupted", "LibraryError", "Parameter", "Quantity", "Result",
+           "Scene", "Snapshot", "SolidLaw", "figure", "markdown", "order", "percent", "run"]
 
 
-_ON_DEMAND = ("figures", "histories", "movies", "pictures", "plots", "report", "snapshots", "units")
+_OF_LIBRARY = {"Scene": "scene", "run": "scene", "SolidLaw": "laws", "EquationOfState": "laws", "Parameter": "laws", "Error": "library",
+               "LibraryError": "library", "InputError": "library", "Diverged": "library", "FileError": "library", "Interrupted": "library"}
+_ON_DEMAND = ("figures", "histories", "laws", "library", "movies", "pictures", "plots", "report", "scene", "snapshots", "units")
 
 
 def __getattr__(name):
     if name == "movie":
         return importlib.import_module("floe.movies").movie
+    if name in _OF_LIBRARY:
+        return getattr(importlib.import_module("floe." + _OF_LIBRARY[name]), name)
     if name in _ON_DEMAND:
         return importlib.import_module("floe." + name)
     raise AttributeError(f"module 'floe' has no attribute '{name}'")
