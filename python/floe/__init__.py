@@ -11,6 +11,7 @@
 
 Pictures, figures and pages are modules of their own, which need matplotlib (and a page jinja2), and are imported when they are asked for:
 
+    floe.picture(result, 0.1, points="stress_xx")                       # a figure of matplotlib, which notebooks show
     floe.movie(result, "von_mises")                                     # pictures through time as GIF (floe.movies)
     floe.pictures.write_png("out/sod-ice/fields/000004.h5", "sod.png")
     floe.report.write(floe.report.Request(["out/sod-compare"], "sod.html"))
@@ -27,10 +28,10 @@ import importlib
 
 from .results import Quantity, Result, Snapshot
 from .cases import Cases, order
-from .tables import figure, markdown, percent
+from .tables import Table, figure, markdown, percent
 
 __all__ = ["Cases", "Diverged", "EquationOfState", "Error", "FileError", "InputError", "Interrupted", "LibraryError", "Parameter", "Quantity", "Result",
-           "Scene", "Snapshot", "SolidLaw", "figure", "markdown", "order", "percent", "run"]
+           "Scene", "Snapshot", "SolidLaw", "Table", "figure", "markdown", "order", "percent", "run"]
 
 
 _OF_LIBRARY = {"Scene": "scene", "run": "scene", "SolidLaw": "laws", "EquationOfState": "laws", "Parameter": "laws", "Error": "library",
@@ -39,8 +40,8 @@ _ON_DEMAND = ("figures", "histories", "laws", "library", "movies", "pictures", "
 
 
 def __getattr__(name):
-    if name == "movie":
-        return importlib.import_module("floe.movies").movie
+    if name in ("movie", "picture"):
+        return getattr(importlib.import_module(f"floe.{name}s"), name)
     if name in _OF_LIBRARY:
         return getattr(importlib.import_module("floe." + _OF_LIBRARY[name]), name)
     if name in _ON_DEMAND:

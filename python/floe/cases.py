@@ -5,6 +5,7 @@ import pathlib
 import numpy
 
 from .results import Result, number, read_csv, split_title
+from .tables import Table
 
 
 def order(h, error):
@@ -41,6 +42,13 @@ class Cases:
     def numbers(self, name, **where):
         """The same as an array of shape (cases,); NaN where there is no number."""
         return numpy.array([number(text) for text in self.texts(name, **where)])
+
+    def table(self, *names, **where):
+        """Columns beside each other, of the rows that have the texts of `where`: a floe.Table. Numbers are short; units stand in the header."""
+        def cell(text):
+            return number(text) if not math.isnan(number(text)) else text
+        header = [name if self.units[name] == "1" else f"{name} ({self.units[name]})" for name in names if self.texts(name) is not None]
+        return Table(header, zip(*([cell(text) for text in self.texts(name, **where)] for name in names)))
 
     def results(self, **where):
         """The result folders of those rows."""

@@ -32,6 +32,11 @@ def _plane(text: str) -> tuple[str, float]:
     return axis, float(at)
 
 
+def _view(text: str) -> tuple[float, float]:
+    azimuth, elevation = (float(one) for one in text.split(","))
+    return azimuth, elevation
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="floe", description="Pictures, pages and plots of floe's results.")
     commands = parser.add_subparsers(dest="command", required=True)
@@ -43,6 +48,7 @@ def _parser() -> argparse.ArgumentParser:
     picture.add_argument("--cells")
     picture.add_argument("--range", type=_range, action="append", default=[])
     picture.add_argument("--plane", type=_plane)
+    picture.add_argument("--view", type=_view)
     picture.add_argument("--mirror", default="")
     picture.add_argument("--dark", action="store_true")
     picture.add_argument("--width", type=int, default=720)
@@ -62,7 +68,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _picture_name(a: argparse.Namespace, stem: str) -> pathlib.Path:
     """"DIR/pictures/000004-sigma_r-dark.png": what was asked for tells pictures of one snapshot apart."""
-    parts = [stem, a.points, a.cells, f"{a.plane[0]}{a.plane[1]:g}" if a.plane else None, f"mirror_{a.mirror}" if a.mirror else None, "dark" if a.dark else None]
+    parts = [stem, a.points, a.cells, f"{a.plane[0]}{a.plane[1]:g}" if a.plane else None, "view_{:g}_{:g}".format(*a.view) if a.view else None, f"mirror_{a.mirror}" if a.mirror else None, "dark" if a.dark else None]
     return pathlib.Path(a.folder) / "pictures" / ("-".join(one.replace("/", "_") for one in parts if one) + ".png")
 
 
@@ -70,7 +76,7 @@ def _picture(a: argparse.Namespace) -> None:
     from . import files, snapshots
     found = snapshots.snapshots(a.folder, _warn, None if a.all or not math.isnan(a.time) else 1)
     from . import pictures  # and matplotlib, once there is something to draw
-    options = pictures.Options(a.points, a.cells, a.range, a.dark, a.width, a.plane, a.mirror)
+    options = pictures.Options(a.points, a.cells, a.range, a.dark, a.width, a.plane, a.mirror, a.view)
     if not a.all and not math.isnan(a.time):
         found = [min(found, key=lambda one: abs(one.time - a.time))]
     ranges = pictures.common_ranges(pictures.make_sheet(one, options) for one in found) if a.all else None

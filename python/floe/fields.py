@@ -33,6 +33,8 @@ def _is_vector(snapshot: SealedSnapshot, body: str | None, name: str) -> bool:
 def find(snapshot: SealedSnapshot, body: str | None, name: str) -> Choice | None:
     """The quantity of that name: a field (a vector by its magnitude), or velocity_x; None if there is none."""
     names, axes = names_of(snapshot, body), axes_of(snapshot)
+    if name == "pressure" and body is None and name not in names and _parted(snapshot):
+        return Choice(name, None, name, False, None)
     signed = name.startswith(("stress_", "sigma_"))
     if name in names:
         return Choice(name, None, units.words(name), signed, body)
@@ -48,6 +50,8 @@ def _first(snapshot: SealedSnapshot, body: str | None, names: list[str]) -> Choi
 
 def usual_of_body(snapshot: SealedSnapshot, body: str) -> Choice | None:
     """What colours points where nothing is asked for."""
+    if body in snapshot.undeformed:
+        return None
     if snapshot.phases[body] == "fluid":
         return _first(snapshot, body, ["pressure", "velocity"])
     return _first(snapshot, body, (["stress_xx"] if snapshot.dim == 1 else []) + ["von_mises", "velocity"])
@@ -81,10 +85,39 @@ def _fraction_of(snapshot: SealedSnapshot, body: str | None, field: str) -> str 
     return None
 
 
+def _parted(snapshot: SealedSnapshot) -> list[str]:
+    """Gases that membranes keep apart: each has a pressure of its own, and what is open to it of a cell."""
+    start = "open_fraction_"
+    return [name[len(start):] for name in snapshot.fields if name.startswith(start) and "pressure_" + name[len(start):] in snapshot.fields]
+
+
+def _parted_pressure(snapshot: SealedSnapshot) -> tuple[numpy.ndarray, str]:
+    """In each cell that of the gas which has most of it."""
+    gases = _parted(snapshot)
+    share = numpy.stack([snapshot.read(None, "open_fraction_" + gas).values for gas in gases])
+    pressure = [snapshot.read(None, "pressure_" + gas) for gas in gases]
+    most = share.argmax(axis=0)[None]
+    found = numpy.take_along_axis(numpy.stack([one.values for one in pressure]), most, axis=0)[0]
+    return numpy.where(share.max(axis=0) >= 1e-3, found, numpy.nan), pressure[0].unit
+
+
+def _nothing(snapshot: SealedSnapshot, shape: tuple[int, ...]) -> numpy.ndarray:
+    """Cells that hold no material: beyond a membrane, against which nothing presses."""
+    densities = [name for name in snapshot.fields if name.startswith("density_")]
+    empty = numpy.full(shape, bool(densities))
+    for name in densities:
+        empty &= snapshot.read(None, name).values == 0
+    return empty
+
+
 def values(snapshot: SealedSnapshot, choice: Choice) -> tuple[numpy.ndarray, str]:
     """The numbers of a quantity, and their unit. A material's field is NaN where there is next to none of it."""
+    if choice.body is None and choice.field not in snapshot.fields:
+        return _parted_pressure(snapshot)
     quantity = snapshot.read(choice.body, choice.field)
     out = numpy.array(quantity.values, dtype=float)
+    if choice.body is None and choice.field == "pressure":
+        out[_nothing(snapshot, out.shape)] = numpy.nan
     if _is_vector(snapshot, choice.body, choice.field):
         out = out[..., choice.component] if choice.component is not None else numpy.sqrt((out ** 2).sum(axis=-1))
     fraction = _fraction_of(snapshot, choice.body, choice.field)

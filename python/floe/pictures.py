@@ -9,6 +9,7 @@ Text is large, for phones: sizes are in units of a 720th of the width.
 import dataclasses
 import io
 import math
+import os
 from collections.abc import Iterable
 
 import numpy
@@ -16,8 +17,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from . import colours, fields, files, units
+from . import colours, fields, files, space, units
 from .files import Refused
+from .results import Result, Snapshot
 from .snapshots import SealedSnapshot, snapshot_files, table
 
 WIDTH, MOST_WIDTH = 720, 8000
@@ -29,7 +31,8 @@ _TALLEST, _BAR, _PANEL = 860, 24, 330
 class Options:
     """What is asked for. `points` and `cells` name a field, "none" leaves them out, None chooses; `ranges` are those of the colour
     bars in turn, None chooses; `plane` is an axis and a place on it (3-D; None: the middle one along z); `mirror` names the axes,
-    "x", "y" or "xy", at whose lower side a symmetric scene is completed; `titled`: the scene's title stands above."""
+    "x", "y" or "xy", at whose lower side a symmetric scene is completed; `view` (3-D): seen from an azimuth and an elevation in degrees, cells on
+    the `plane` or on the far sides of the domain; `titled`: the scene's title stands above."""
     points: str | None = None
     cells: str | None = None
     ranges: list = dataclasses.field(default_factory=list)
@@ -37,6 +40,7 @@ class Options:
     width: int = WIDTH
     plane: tuple[str, float] | None = None
     mirror: str = ""
+    view: tuple[float, float] | None = None
     titled: bool = True
 
 
@@ -81,7 +85,7 @@ class Sheet:
         parts = [f"{' and '.join(shown)}{' of ' if shown else ''}points"] if self.bodies else []
         if self.cells is not None:
             parts.append(f"{self.scales[self.cell_scale].label} of cells")
-        plane = f" in the plane {self.note.partition('plane ')[2]}" if self.snapshot.dim == 3 else ""
+        plane = f" in the plane {self.note.partition('plane ')[2]}" if "plane " in self.note else ""
         return f"{' over '.join(parts)}{plane} at t = {units.number(self.snapshot.time, self.snapshot.time_unit)}"
 
 
@@ -133,7 +137,7 @@ def _add_body(sheet: Sheet, body: str, choice: fields.Choice | None, plane) -> N
         near = abs(place[:, axis] - at) <= half
         place, edge, values = place[near], edge[near], values[near] if values is not None else None
     shown = ["xyz".index(one) if snapshot.geometry != "axisymmetric" else "rz".index(one) for one in sheet.axes]
-    place = place[:, shown] if len(shown) == 2 else numpy.column_stack([place[:, 0], numpy.zeros(len(place))])
+    place = place[:, shown] if len(shown) > 1 else numpy.column_stack([place[:, 0], numpy.zeros(len(place))])
     if values is not None:
         sheet.scales[scale].values.append(values)
     sheet.bodies.append(Points(body, place, edge, values, scale))
@@ -177,18 +181,22 @@ def _add_cells(sheet: Sheet, plane) -> bool:
 
 
 def _plane_of(snapshot: SealedSnapshot, options: Options):
-    """The axis of the plane, its place, and half the thickness of what is shown; None but in 3-D."""
+    """The axis of the plane, its place, and half the thickness of what is shown; None but in 3-D, and where all of that is seen."""
     if snapshot.dim != 3:
-        if options.plane:
-            raise Refused(f"--plane is for scenes in 3-D; '{snapshot.path}' has {snapshot.dim} dimension{'s' if snapshot.dim > 1 else ''}", 2)
+        if options.plane or options.view:
+            raise Refused(f"--{'plane' if options.plane else 'view'} is for scenes in 3-D; '{snapshot.path}' has {snapshot.dim} dimension{'s' if snapshot.dim > 1 else ''}", 2)
         return None
     axis = "xyz".index(options.plane[0]) if options.plane else 2
     half = 0.5 * snapshot.spacing[axis]
+    if options.view and not options.plane:
+        return None
     if not options.plane:
         cells = round((snapshot.upper[axis] - snapshot.lower[axis]) / snapshot.spacing[axis])
         return axis, snapshot.lower[axis] + snapshot.spacing[axis] * (cells // 2) + half, half
     if not snapshot.lower[axis] <= options.plane[1] <= snapshot.upper[axis]:
         raise Refused(f"the plane {options.plane[0]} = {options.plane[1]:g} lies outside the domain, which is from {snapshot.lower[axis]:g} to {snapshot.upper[axis]:g}", 2)
+    if options.view:
+        return None
     return axis, options.plane[1], half
 
 
@@ -198,6 +206,9 @@ def make_sheet(snapshot: SealedSnapshot, options: Options) -> Sheet:
     axes = fields.axes_of(snapshot)
     kept = [k for k in range(snapshot.dim) if not plane or k != plane[0]]
     sheet = Sheet(snapshot, options, "".join(axes[k] for k in kept), snapshot.lower[kept], snapshot.upper[kept], snapshot.coupling)
+    if options.view:
+        size = " × ".join(units.digits(float(one)) for one in (sheet.upper - sheet.lower) / _length(sheet)[0])
+        sheet.note += f", domain of {size} {_length(sheet)[1]}".rstrip()
     if plane:
         sheet.note += f", plane {axes[plane[0]]} = {units.number(plane[1], snapshot.length_unit)}"
     found = _add_bodies(sheet, plane)
@@ -261,6 +272,13 @@ def common_ranges(sheets: Iterable[Sheet]) -> list[tuple[float, float]]:
 
 
 # ---- drawing ----
+
+class Drawn(Figure):
+    """A figure of matplotlib that notebooks show."""
+
+    def _repr_png_(self) -> bytes:
+        return png(self)
+
 
 @dataclasses.dataclass
 class _Drawing:
@@ -416,7 +434,7 @@ def _bar(d: _Drawing, k: int, y: float, left: float) -> None:
     d.text(left, y + 26, units.label(scale.label, shown), _TEXT, va="baseline")
 
 
-def _plane_figure(sheet: Sheet, ranges) -> Figure:
+def _plane_figure(sheet: Sheet, ranges) -> Drawn:
     """Points over cells in a plane, the same scale along both axes."""
     u, head, (lower, upper) = sheet.options.width / 720, _head(sheet), _extent(sheet)
     size = max(abs(lower).max(), abs(upper).max())
@@ -429,7 +447,7 @@ def _plane_figure(sheet: Sheet, ranges) -> Figure:
     width, height = max(width, 4.0), max(width * span[1] / span[0], 4.0)
     top = _MARGIN + len(head) * _LINE + 14
     bars = top + height + 74
-    d = _Drawing(sheet, ranges, Figure(facecolor=colours.PAPER_DARK if sheet.options.dark else colours.PAPER), u,
+    d = _Drawing(sheet, ranges, Drawn(facecolor=colours.PAPER_DARK if sheet.options.dark else colours.PAPER), u,
                  bars + len(sheet.scales) * 106 + 10, colours.INK_DARK if sheet.options.dark else colours.INK)
     d.figure.set_size_inches(sheet.options.width / 100, round(d.height * u) / 100)
     _draw_head(d, head)
@@ -447,6 +465,34 @@ def _plane_figure(sheet: Sheet, ranges) -> Figure:
     axes.set_xlabel(f"{sheet.axes[0]}{f' ({unit})' if unit else ''}", labelpad=2, **style)
     if height >= 90:  # of what is lower, the name would stand over the numbers
         axes.set_ylabel(f"{sheet.axes[1]}{f' ({unit})' if unit else ''}", labelpad=4 * u, **style)
+    for k in range(len(sheet.scales)):
+        _bar(d, k, bars + 106 * k, 2 * _MARGIN)
+    return d.figure
+
+
+# ---- space ----
+
+def _space_figure(sheet: Sheet, ranges) -> Drawn:
+    """The scene as it is seen from a side, in the box of its domain."""
+    u, head, camera = sheet.options.width / 720, _head(sheet), space.camera_of(sheet)
+    width = min(720 - 2 * _MARGIN, _TALLEST * camera.aspect)
+    height, top = width / camera.aspect, _MARGIN + len(head) * _LINE + 10
+    bars = top + height + 20
+    d = _Drawing(sheet, ranges, Drawn(facecolor=colours.PAPER_DARK if sheet.options.dark else colours.PAPER), u,
+                 bars + len(sheet.scales) * 106 + 10, colours.INK_DARK if sheet.options.dark else colours.INK)
+    d.figure.set_size_inches(sheet.options.width / 100, round(d.height * u) / 100)
+    _draw_head(d, head)
+    axes = d.axes(0.5 * (720 - width), top, width, height)
+    axes.set_axis_off()
+    kinds = _kinds(sheet, ranges)
+    image = space.raster(sheet, camera, lambda values, scale: _colour(values, ranges[scale], kinds[scale], sheet.options.dark), round(width * u))
+    (left, low), (right, high) = camera.low[:2], camera.high[:2]
+    axes.imshow(image, origin="lower", extent=(left, right, low, high), aspect="auto", interpolation="none", zorder=2)
+    for order, lines in zip((1, 3), space.edges(camera)):
+        for (x0, y0), (x1, y1) in lines:
+            axes.plot([x0, x1], [y0, y1], color=d.ink, linewidth=(1.2 if order == 1 else 0.6) * u, alpha=1.0 if order == 1 else 0.35, zorder=order)
+    axes.set_xlim(left, right)
+    axes.set_ylim(low, high)
     for k in range(len(sheet.scales)):
         _bar(d, k, bars + 106 * k, 2 * _MARGIN)
     return d.figure
@@ -504,11 +550,11 @@ def _length(sheet: Sheet) -> tuple[float, str]:
     return units.choose(float(max(abs(sheet.lower).max(), abs(sheet.upper).max())), sheet.snapshot.length_unit)
 
 
-def _curves_figure(sheet: Sheet, ranges) -> Figure:
+def _curves_figure(sheet: Sheet, ranges) -> Drawn:
     """Each quantity over x, a panel each."""
     u, head, exact = sheet.options.width / 720, _head(sheet), exact_curves(sheet.snapshot)
     n, top = len(sheet.scales), _MARGIN + len(head) * _LINE + 10
-    d = _Drawing(sheet, ranges, Figure(facecolor=colours.PAPER_DARK if sheet.options.dark else colours.PAPER), u,
+    d = _Drawing(sheet, ranges, Drawn(facecolor=colours.PAPER_DARK if sheet.options.dark else colours.PAPER), u,
                  top + max(1, n) * (_PANEL + 110) + 6, colours.INK_DARK if sheet.options.dark else colours.INK)
     d.figure.set_size_inches(sheet.options.width / 100, round(d.height * u) / 100)
     _draw_head(d, head)
@@ -529,15 +575,25 @@ def _curves_figure(sheet: Sheet, ranges) -> Figure:
 
 # ---- results ----
 
-def sheet_figure(sheet: Sheet, ranges=None) -> Figure:
+def sheet_figure(sheet: Sheet, ranges=None) -> Drawn:
     """A sheet as a figure of matplotlib; `ranges` of its scales, chosen by its own values where there are none."""
     ranges = list(ranges) if ranges else [range_of(one) for one in sheet.scales]
-    return _curves_figure(sheet, ranges) if sheet.snapshot.dim == 1 else _plane_figure(sheet, ranges)
+    if sheet.snapshot.dim == 1:
+        return _curves_figure(sheet, ranges)
+    return _space_figure(sheet, ranges) if sheet.options.view else _plane_figure(sheet, ranges)
 
 
-def figure(snapshot: SealedSnapshot, options: Options | None = None) -> Figure:
+def figure(snapshot: SealedSnapshot, options: Options | None = None) -> Drawn:
     """A picture of a snapshot, as a figure of matplotlib."""
     return sheet_figure(make_sheet(snapshot, options or Options()))
+
+
+def picture(of: Result | Snapshot | os.PathLike | str, time: float = math.inf, **options) -> Drawn:
+    """A picture of a snapshot, or of a run (or its folder) at a time (s), by default at its end; `options` are those of `Options`:
+
+        floe.picture(result, 2e-3, points="sigma_theta", cells="pressure", mirror="xy")"""
+    found = of if isinstance(of, (Result, Snapshot)) else Result(of)
+    return figure(SealedSnapshot((found.at(time) if isinstance(found, Result) else found).path), Options(**options))
 
 
 def png(drawn: Figure) -> bytes:

@@ -85,6 +85,20 @@ class Run:
         return "none" in (self.deck_key("units"), self.summary.get("units"))
 
 
+def rigid_bodies(deck: pathlib.Path) -> set[str]:
+    """Bodies with a `motion` in a deck as floe writes it: they have no stress. None where there is no deck."""
+    found: set[str] = set()
+    section = body = ""
+    for line in files.read_text(deck).splitlines() if deck.is_file() else []:
+        if line[:1].isalpha():
+            section = line.partition(":")[0]
+        elif line[:3].strip() and line.startswith("  ") and section == "bodies":
+            body = line.strip().partition(":")[0].strip('"')
+        elif line.startswith("    motion:") and section == "bodies":
+            found.add(body)
+    return found
+
+
 def check_seal(path: pathlib.Path | str) -> None:
     """A snapshot's file is what floe once wrote, by the SHA-256 in its header (docs/outputs.md); `files.Refused` says what is wrong."""
     data = files.read(path)
@@ -124,6 +138,7 @@ class SealedSnapshot(Snapshot):
                 self.title = str(file.attrs.get("title", ""))                #: of the deck
                 self.volume_scale = float(file.attrs.get("volume_scale", 1))  #: of volumes and masses: thickness in 2-D, 2 pi if axisymmetric
                 self.phases = {body: str(file["points"][body].attrs.get("phase", "solid")) for body in self.bodies}  #: body: solid, fluid
+                self.undeformed = rigid_bodies(self.path.parent.parent / "deck.yaml") & set(self.bodies)  #: bodies whose motion is given, or rigid
         except (OSError, KeyError, ValueError, RuntimeError) as error:
             raise Refused(f"'{path}' is no snapshot that can be read: {error}") from error
         if not (math.isfinite(self.time) and 1 <= self.dim <= 3 and (self.upper > self.lower).all() and (self.spacing > 0).all()):

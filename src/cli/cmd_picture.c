@@ -63,6 +63,17 @@ static void check_plane(const char *arg, struct argp_state *state)
         argp_error(state, "--plane takes an axis and a place on it, as in --plane z=0.5, not '%s'", arg);
 }
 
+/* "30,20": azimuth and elevation in degrees */
+static void check_view(const char *arg, struct argp_state *state)
+{
+    char *comma, *end = NULL;
+    double elevation = 0.0;
+    const double azimuth = strtod(arg, &comma);
+    if (*comma == ',') elevation = strtod(comma + 1, &end);
+    if (comma == arg || !end || end == comma + 1 || *end != '\0' || !isfinite(azimuth) || !(fabs(elevation) <= 90.0))
+        argp_error(state, "--view takes an azimuth and an elevation in degrees, as in --view 30,20, not '%s'", arg);
+}
+
 static void check_mirror(const char *arg, struct argp_state *state)
 {
     if (strcmp(arg, "x") != 0 && strcmp(arg, "y") != 0 && strcmp(arg, "xy") != 0)
@@ -103,6 +114,10 @@ static error_t parse_picture_option(int key, char *arg, struct argp_state *state
         check_mirror(arg, state);
         hand_over(a, state, "--mirror", arg);
         return 0;
+    case 'v':
+        check_view(arg, state);
+        hand_over(a, state, "--view", arg);
+        return 0;
     case 'd': a->dark = true; return 0;
     case 'w':
         check_width(arg, state);
@@ -128,9 +143,13 @@ static const struct argp_option options[] = {
     {"range", 'r', "LO:HI", 0,
      "The range of the first colour bar, in the unit of the field; given again: of the second", 0},
     {"plane", 'l', "AXIS=PLACE", 0, "The plane of a run in 3-D, as in z=0.5 (default: the middle one along z)", 0},
+    {"view", 'v', "AZIMUTH,ELEVATION", 0,
+     "A run in 3-D as it is seen from there, in degrees from x towards y and upwards: points as surfaces, cells on the "
+     "--plane, or on the far sides of the domain",
+     0},
     {"mirror", 'm', "AXES", 0,
      "Complete a symmetric scene at the lower side of the picture's horizontal axis (x), its upright one (y), or both "
-     "(xy)",
+     "(xy); with --view, of the scene's own axes x and y",
      0},
     {"dark", 'd', NULL, 0, "For a dark page", 0},
     {"width", 'w', "PX", 0, "Width of the picture (default: 720)", 0},
@@ -143,8 +162,8 @@ static const struct argp argp = {
     .args_doc = "DIR",
     .doc = "Draw snapshots of a run as PNG: points coloured by one field over cells coloured by another, with axes and "
            "colour bars. DIR is the folder that `floe run` has written. A vector is shown by its magnitude, or by a "
-           "component: velocity_x. A run in 1-D gives curves over x, one in 3-D a plane. Python draws them "
-           "(FLOE_PYTHON; numpy, h5py, matplotlib).",
+           "component: velocity_x. A run in 1-D gives curves over x, one in 3-D a plane, or with --view "
+           "what is seen from a side. Python draws them (FLOE_PYTHON; numpy, h5py, matplotlib).",
 };
 
 int cmd_picture(cli *c, int argc, char **argv)

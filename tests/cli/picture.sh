@@ -47,6 +47,9 @@ expect 2 "$FLOE" picture mpm --all -o one.png
 expect 2 "$FLOE" picture mpm --width 20
 expect 2 "$FLOE" picture mpm --plane 0.5
 expect 2 "$FLOE" picture mpm --mirror z
+for view in 30 30, ,20 30,100 a,b 30,20,1; do expect 2 "$FLOE" picture mpm --view "$view"; done
+expect 2 "$FLOE" picture mpm --view 30,20
+has stderr '--view is for scenes in 3-D'
 expect 4 "$FLOE" picture nowhere
 has stderr 'nowhere'
 

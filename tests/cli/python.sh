@@ -18,5 +18,9 @@ expect 0 "$python" "$FLOE_SOURCE/tests/python/test_pictures.py" sod ring axis sp
 cat stdout
 expect 0 "$python" "$FLOE_SOURCE/tests/python/test_verdict.py"
 cat stdout
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/two_bags.yaml" --set time.max_steps=3 -o bags --quiet
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/cylinder_channel.yaml" --set time.max_steps=3 -o fixed --quiet
+expect 0 "$python" "$FLOE_SOURCE/tests/python/test_space.py" space bags fixed
+cat stdout
 FLOE=$FLOE expect 0 "$python" "$FLOE_SOURCE/tests/python/test_pages.py"
 cat stdout
