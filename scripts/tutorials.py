@@ -25,6 +25,7 @@ sys.path.insert(0, str(ROOT / "python"))
 os.environ.update(MPLBACKEND="Agg", FLOE_PYTHON=sys.executable, FLOE=FLOE)
 
 BLOCK = re.compile(r"^```(\w+) ?(\S*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 PICTURE = re.compile(r"!\[[^\]]*\]\(([\w.-]+)\)")
 NUMBER = re.compile(r"(?<![\w.])[-+−]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?")
 
@@ -86,6 +87,13 @@ def run_page(page, folder):
             raise Fault(f"{page.relative_to(ROOT)}:{line}: {type(error).__name__}: {error}") from error
 
 
+def check_links(page):
+    """What a page leads to in the repository is there."""
+    for target in LINK.findall(page.read_text(encoding="utf-8")):
+        if "://" not in target and not (page.parent / target).exists():
+            raise Fault(f"{page.relative_to(ROOT)}: a link leads nowhere: {target}")
+
+
 def pictures(page, folder, write):
     for name in PICTURE.findall(page.read_text(encoding="utf-8")):
         if write:
@@ -105,6 +113,7 @@ def main():
             place = pathlib.Path(folder)
             (place / "inputs").symlink_to(ROOT / "inputs")
             try:
+                check_links(page)
                 run_page(page, place)
                 pictures(page, place, a.action == "write")
                 print(f"{page.relative_to(ROOT)}: every block runs", flush=True)

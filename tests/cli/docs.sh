@@ -15,7 +15,7 @@ export FLOE FLOE_LIBRARY
 
 expect 0 "$python" "$FLOE_SOURCE/scripts/notebooks.py" check "$FLOE_SOURCE"/docs/notebooks/*.ipynb
 cat stdout
-expect 0 "$python" "$FLOE_SOURCE/scripts/tutorials.py" check "$FLOE_SOURCE/docs/python.md"
+expect 0 "$python" "$FLOE_SOURCE/scripts/tutorials.py" check "$FLOE_SOURCE"/docs/tutorials/[a-z]*.md "$FLOE_SOURCE/docs/python.md"
 cat stdout
 
 # A cell or a block that does something else is found.
