@@ -25,6 +25,7 @@ PICTURES = {
     "flow_mms": ("", "", "pressure"),
     "fluid_stream": ("", "-c density_water", "density of water"),
     "fluid_tube": ("", "", "pressure"),
+    "foam_wall": ("", "--view -60,25 --mirror y -t 4e-3", "stress of the wall, and pressure on the sides of the domain, after 4 ms"),
     "free_stream": ("", "", "pressure: what is even stays even"),
     "gas_expansion": ("", "-c none", "pressure of the points"),
     "heat_wave": ("", "-c density_gas", "density"),

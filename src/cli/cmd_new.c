@@ -15,6 +15,15 @@ typedef struct arguments {
 
 enum { KEY_SCHEMA = 1000, KEY_REFERENCE, KEY_COMPLETION };
 
+/* "dam.yaml" in the place of a title is the file. */
+static void name_file(arguments *a)
+{
+    const char *end = a->scene ? strrchr(a->scene, '.') : NULL;
+    if (!end || a->file || (strcmp(end, ".yaml") != 0 && strcmp(end, ".yml") != 0)) return;
+    a->file = a->scene;
+    a->scene = NULL;
+}
+
 static error_t parse_new_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
@@ -30,6 +39,7 @@ static error_t parse_new_option(int key, char *arg, struct argp_state *state)
         if (a->scene) argp_error(state, "one scene at a time: '%s' is too much", arg);
         a->scene = arg;
         return 0;
+    case ARGP_KEY_END: name_file(a); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -44,8 +54,8 @@ static const struct argp_option options[] = {
 static const struct argp argp = {
     .options = options,
     .parser = parse_new_option,
-    .args_doc = "[SCENE]",
-    .doc = "Write a commented deck to start from; SCENE is its title.",
+    .args_doc = "[SCENE|FILE.yaml]",
+    .doc = "Write a commented deck to start from: SCENE is its title, FILE.yaml the new file that it is written to.",
 };
 
 /* Options of the commands, for completion. */

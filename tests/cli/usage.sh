@@ -53,6 +53,11 @@ expect 0 "$FLOE" new 'A dam' -o dam.yaml
 has dam.yaml 'A dam'
 expect 0 "$FLOE" check dam.yaml
 expect 2 "$FLOE" new -o dam.yaml
+expect 2 "$FLOE" new dam.yaml
+has stderr "'dam.yaml' is there already"
+expect 0 "$FLOE" new other.yaml
+[ ! -s stdout ] || fault 'a deck with a file of its own is written to standard output too'
+expect 0 "$FLOE" check other.yaml
 expect 0 "$FLOE" new --schema
 has stdout 'json-schema.org'
 expect 0 "$FLOE" new --reference
