@@ -41,6 +41,8 @@ int cmd_picture(cli *c, int argc, char **argv);
 int cmd_report(cli *c, int argc, char **argv);
 int cmd_list(cli *c, int argc, char **argv);
 int cmd_new(cli *c, int argc, char **argv);
+/* Explains a key of decks, whole or by its last word; the exit status. */
+int cli_help_key(cli *c, const char *key);
 
 /* A deck as the command line names it: file, --set and --coupling. */
 typedef struct cli_deck {

@@ -42,8 +42,9 @@ static const char *command_name(const void *user, size_t i)
 /* What comes before the command. */
 typedef struct top {
     const cli_command *command;
-    int first; /* index of the command in argv */
-    bool help; /* `floe help COMMAND` */
+    int first;       /* index of the command in argv */
+    bool help;       /* `floe help COMMAND` */
+    const char *key; /* `floe help KEY` of a deck; NULL: a command */
 } top;
 
 static error_t parse_top(int key, char *arg, struct argp_state *state)
@@ -56,7 +57,8 @@ static error_t parse_top(int key, char *arg, struct argp_state *state)
     }
     if (key == ARGP_KEY_ARG) {
         t->command = cli_find(arg);
-        if (!t->command) {
+        if (!t->command && t->help) t->key = arg;
+        if (!t->command && !t->help) {
             const char *near = nearest_name(arg, command_name, NULL);
             argp_error(state, "unknown command '%s'%s%s%s; `floe help` lists them", arg, near ? " (did you mean '" : "",
                        near ? near : "", near ? "'?)" : "");
@@ -82,7 +84,8 @@ static char *list_commands(int key, const char *text, void *input)
     for (size_t i = 0; i < cli_n_commands; i++)
         text_add(out, size, "  %-9s  %s\n", cli_commands[i].name, cli_commands[i].doc);
     text_add(out, size,
-             "\n`floe COMMAND --help` tells more. Exit status: 0 done; 2 bad usage or deck; 3 diverged; 4 input or "
+             "\n`floe COMMAND --help` tells more, `floe help KEY` of a key of decks. Exit status: 0 done; 2 bad usage "
+             "or deck; 3 diverged; 4 input or "
              "output failed; 5 interrupted, checkpoint written; 6 a required bar was missed, or a case has no result.");
     return out;
 }
@@ -103,6 +106,7 @@ static void print_version(FILE *stream, struct argp_state *state)
 static int run_command(cli *c, const top *t, int argc, char **argv)
 {
     char name[64];
+    if (t->key) return cli_help_key(c, t->key);
     (void)snprintf(name, sizeof name, "floe %s", t->command->name);
     argv[t->first] = name;
     if (t->help) {

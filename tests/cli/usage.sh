@@ -20,7 +20,16 @@ has stdout 'stability'
 expect 0 "$FLOE" help run
 has stdout '--max-wall'
 expect 2 "$FLOE" help frobnicate
-has stderr 'lists them'
+has stderr 'neither a command nor a key'
+expect 0 "$FLOE" help domain.cell
+has stdout 'domain.cell'
+has stdout 'spacing h of the mesh'
+[ "$(grep -c '^[a-z]' stdout)" -eq 1 ] || fault 'domain.cell is one key'
+awk 'length > 80 { exit 1 }' stdout || fault 'help of a key is wider than a terminal'
+expect 0 "$FLOE" help bodies.block.motion
+has stdout 'of a solid that does not deform'
+expect 0 "$FLOE" help velocity
+[ "$(grep -c '^[a-z]' stdout)" -gt 1 ] || fault 'velocity is a key of several'
 expect 2 "$FLOE" run
 has stderr 'which deck?'
 expect 2 "$FLOE" run "$cylinder" --threads 0
