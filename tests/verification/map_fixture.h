@@ -3,38 +3,8 @@
 #ifndef TESTS_VERIFICATION_MAP_FIXTURE_H
 #define TESTS_VERIFICATION_MAP_FIXTURE_H
 
-#include "mpm_fixture.h"
-
-/* Axis a of the new scene is axis from[a] of the old one: x_a' = sign[a] x_from[a] + shift[a]. Beyond the old scene's axes nothing changes
- * along an axis. */
-typedef struct scene_map {
-    int dim; /* of the old scene */
-    int from[3];
-    double sign[3], shift[3]; /* shift: m */
-} scene_map;
-
-FIXTURE scene_map map_none(int dim)
-{
-    return (scene_map){.dim = dim, .from = {0, 1, 2}, .sign = {1.0, 1.0, 1.0}};
-}
-
-FIXTURE void map_back(const scene_map *m, const double x[3], double old[3])
-{
-    for (int a = 0; a < 3; ++a) old[a] = 0.0;
-    for (int a = 0; a < m->dim; ++a) old[m->from[a]] = m->sign[a] * (x[a] - m->shift[a]);
-}
-
-FIXTURE void map_place(const scene_map *m, double x[3])
-{
-    const double old[3] = {x[0], x[1], x[2]};
-    for (int a = 0; a < m->dim; ++a) x[a] = m->sign[a] * old[m->from[a]] + m->shift[a];
-}
-
-FIXTURE void map_vector(const scene_map *m, double v[3])
-{
-    const double old[3] = {v[0], v[1], v[2]};
-    for (int a = 0; a < m->dim; ++a) v[a] = m->sign[a] * old[m->from[a]];
-}
+#include "map_formula_fixture.h"
+#include "scene_map_fixture.h"
 
 /* Whether left becomes right. */
 FIXTURE bool map_reverses(const scene_map *m)
@@ -212,6 +182,17 @@ FIXTURE void map_mesh(scene *s, const scene_map *m)
     }
 }
 
+FIXTURE void map_parts(scene *s, const scene_map *m)
+{
+    for (int i = 0; i < s->n_parts; ++i) {
+        scene_side_part *part = &s->part[i];
+        part->axis = map_axis(m, part->axis);
+        if (m->sign[part->axis] < 0.0) part->end = 1 - part->end;
+        (void)map_shape(s, m, &part->where);
+        map_vector(m, part->condition.velocity);
+    }
+}
+
 FIXTURE void map_body(scene *s, const scene_map *m, scene_body *b)
 {
     int per_cell[3];
@@ -227,6 +208,9 @@ FIXTURE void map_scene(scene *s, const scene_map *m)
 {
     map_exact(s, m);
     map_mesh(s, m);
+    map_parts(s, m);
+    map_formulas(s, m);
+    map_vector(m, s->ambient_velocity);
     for (int i = 0; i < s->n_bodies; ++i) map_body(s, m, &s->body[i]);
     for (int i = 0; i < s->n_loads; ++i) {
         (void)map_shape(s, m, &s->load[i].region);
