@@ -102,6 +102,8 @@ FIXTURE void scale_custom(const scene *s, const scaling *by, const key_spec *key
     if (key->special == &special_boundaries)
         for (int k = 0; k < 2 * MESH_MAX_DIM; ++k)
             scale_variant(s, by, &boundary_kinds, &((scene *)base)->bc.side[k / 2][k % 2]);
+    if (key->special == &special_exchange) /* a number, or a word */
+        scale_numbers((double *)(void *)((char *)base + key->offset), 1, scale_power(by, key->unit));
     const curve_line *c = key->special == &special_positions         ? base
                           : key->special == &special_sheet_positions ? &((sheet_surface *)base)->curve
                                                                      : NULL;
