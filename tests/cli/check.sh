@@ -44,6 +44,13 @@ two=$FLOE_SOURCE/inputs/two_bars.yaml
 expect 0 "$FLOE" check "$two" --set 'study={axes: {time.solver: {values: [null, dynamic, static]}}}' --set 'contact={kind: friction, friction: 0.3}'
 has stderr 'warning: case static of `floe study` cannot start: --set time.solver=static: contact.friction other than 0'
 has stdout 'study: 3 cases'
+for more in '' ', 0.6' ', 0.6, 0.7'; do # five of them one by one
+    expect 0 "$FLOE" check "$two" --set "study={axes: {time.solver: [dynamic, static], contact.friction: [0.1, 0.2, 0.3, 0.4, 0.5$more]}}" \
+        --set 'contact={kind: friction, friction: 0.3}'
+    [ "$(grep -c 'cannot start' stderr)" -eq 5 ] || fault "other than five cases are warned of one by one: $more"
+    case $more in '') wanted='' ;; *7) wanted=2 ;; *) wanted=1 ;; esac
+    [ "$(sed -nE 's/.*and ([0-9]+) more cases.*/\1/p' stderr)" = "$wanted" ] || fault "not '$wanted' more cases: $more"
+done
 expect 2 "$FLOE" check "$two" --set 'study.quantities=[nothing]' --set 'study.axes={domain.cell: [0.1]}'
 
 # The same errors stop a run before anything is written.

@@ -71,6 +71,7 @@ refused 'FROM:TO' --over time.fixed_step=1e-3
 refused "is empty" --over time.fixed_step=1e-3:1e-3
 refused 'two units' --over 'time.fixed_step=1 ms:2 s'
 refused 'a number to a number' --over method.basis=linear:quadratic
+refused 'a number to a number' --over "time.fixed_step=1 $(printf '%031d' 0 | tr 0 m):2" # longer than any unit
 refused 'not a whole number' --over bodies.left.points=1:8
 refused 'out of range' --over method.flip=0.5:2
 refused "unknown" --each method.stress=usl,uslf

@@ -43,20 +43,21 @@ static double square_distance(const mesh *m, int first, int second)
     return sum;
 }
 
-/* Against all cells, one by one: a cell that no solid covers is its own nearest. */
+/* Against all cells, one by one: a cell that no solid covers is its own nearest. In micrometres as in metres. */
 static void test_nearest(void **unused)
 {
     (void)unused;
     for (int dim = 1; dim <= 3; ++dim)
         for (int periodic = 0; periodic < 2; ++periodic) {
             trial t;
-            const double size[3] = {1.0, 0.8, 0.6}, centre[3] = {0.1, 0.5, 0.3};
-            coupled_begin(&t, dim, size, dim == 3 ? 0.1 : 0.04);
+            const double unit = dim == 2 ? 1e-6 : 1.0; /* m */
+            const double size[3] = {unit, 0.8 * unit, 0.6 * unit}, centre[3] = {0.1 * unit, 0.5 * unit, 0.3 * unit};
+            coupled_begin(&t, dim, size, unit * (dim == 3 ? 0.1 : 0.04));
             if (dim > 1) t.scene->mesh.cell[1] *= 2.0;
             if (periodic) set_sides(&t, 0, BC_PERIODIC, BC_PERIODIC);
             t.scene->coupling = COUPLING_ICE_MPM;
             t.scene->method.interface = INTERFACE_SMEARED;
-            coupled_body(&t, coupled_solid(&t, 2e7, 1e7, 1000.0), make_ball(&t, centre, 0.27), 2);
+            coupled_body(&t, coupled_solid(&t, 2e7, 1e7, 1000.0), make_ball(&t, centre, 0.27 * unit), 2);
             coupled_start(&t);
             const mesh *m = &t.sim->mesh;
             int *nearest, covered = 0;
@@ -66,7 +67,7 @@ static void test_nearest(void **unused)
                 double away = 0.0;
                 for (int a = 0, row = 1; a < dim; row *= m->n[a++])
                     away += pow(mesh_centre(m, a, k / row % m->n[a]) - centre[a], 2.0);
-                if (away > 0.27 * 0.27) {
+                if (away > 0.27 * 0.27 * unit * unit) {
                     assert_int_equal(nearest[k], k);
                     continue;
                 }

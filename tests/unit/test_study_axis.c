@@ -73,6 +73,8 @@ static void numbers_are_known(void **state)
     check_true(axis_is_numeric(&a) && axis_is_numeric(&b));
     check_true(!axis_is_numeric(&c) && !axis_is_numeric(&d) && !axis_is_numeric(&e) && !axis_is_numeric(&f));
     check_true(!axis_is_numeric(&g));
+    const scene_axis below = axis_of("k=1,-1"), nothing = axis_of("k=2,0"); /* an order is found from logarithms */
+    check_true(!axis_is_numeric(&below) && !axis_is_numeric(&nothing));
     check_true(axis_same_value("0.10", "1e-1") && axis_same_value("2 mm", "2.0 mm") && axis_same_value("ice", "ice"));
     check_true(axis_same_value("\"p 1, rho 2\"", "p 1, rho 2") && !axis_same_value("\"p 1", "p 1") &&
                !axis_same_value("\"", "\"\""));
