@@ -12,6 +12,8 @@ extern const key_table membrane_table;
 extern const special_key special_positions, special_sheet_positions;
 /* schema_springs.c */
 extern const named_items items_springs, items_supports;
+/* schema_sources.c */
+extern const named_items items_sources, items_vents;
 /* schema_exchange.c */
 extern const named_items items_exchanges;
 extern const model_family family_momentum, family_heat;

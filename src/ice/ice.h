@@ -75,6 +75,8 @@ typedef struct ice_cut_geometry {
     bool (*is_merged)(const ice *s, int region, const block *b, int i, int j, int k);
     /* Bounds what several fluids give through the faces of merged cells. */
     void (*bound_outflow)(const ice *s, const ice_region *g);
+    /* Weights (m3) of a region's cells after the step, block by block: in merged cells their sum, shared by open volume. */
+    void (*spread_weights)(const ice *s, const ice_region *g, double *const *weight);
 } ice_cut_geometry;
 
 struct ice {
@@ -108,6 +110,7 @@ struct ice {
     struct ice_pairs *pairs;
     struct ice_reactions *reactions;
     struct ice_heated *heated;
+    struct ice_injection *injection;
     struct ice_sealing *sealing;
     struct ice_implicit *rows;
 };
@@ -160,6 +163,7 @@ floe_status ice_mass_exchange(ice *s);   /* sources of mass, momentum and energy
 floe_status ice_exchange(ice *s);        /* 2.9: momentum and heat between materials, mixed cells */
 floe_status ice_specific_volume(ice *s); /* 2.10, 5.5 */
 floe_status ice_advect(ice *s);          /* 2.11: next state of the fluids */
+floe_status ice_inject(ice *s);          /* 2.18, 2.19: sources of mass, vents */
 
 /* The stages in four groups, between which the coupled step has those of the points; ice_step is all four. */
 floe_status ice_state_stages(ice *s);    /* ghosts to reactions: the state of the cells */

@@ -182,6 +182,12 @@
 /* Largest factor on the densities beside solids by which a region has its mass; beyond, all its cells share the difference. */
 #define ICE_MOST_DENSITY_FACTOR 4.0
 
+/* ---- sources of mass ---- */
+
+/* Volume fraction of fluids in a cell beside smeared solids below which no source lets anything in (theory 2.18): there a solid that moves could
+ * leave no volume for it. More would move sources away from surfaces. */
+#define ICE_LEAST_INJECTED 0.1
+
 /* ---- the implicit pressure (theory 3) ---- */
 
 enum { ICE_MOST_OUTER = 20, ICE_MOST_CG = 200 };

@@ -3,6 +3,7 @@
 #include "ice/exchange/ice_exchange.h"
 #include "ice/flux/ice_flux.h"
 #include "ice/implicit/ice_implicit.h"
+#include "ice/inject/ice_inject.h"
 #include "ice/points/ice_points.h"
 #include "ice/sealed/ice_sealed.h"
 #include "ice/sides/ice_sides.h"
@@ -124,6 +125,7 @@ static floe_status resolve_states(ice *s, bool with_points)
                           (s->material[r].warms && scene_solid_exchanges_heat(s->scene, s->material[r].scene_material));
     TRY(ice_sides_create(s));
     TRY(ice_heated_create(s));
+    TRY(ice_injection_create(s));
     return ice_reactions_create(s);
 }
 
@@ -150,6 +152,7 @@ void ice_destroy(ice **s)
     context *ctx = w->ctx;
     ice_implicit_destroy(ctx, &w->rows);
     ice_sealing_destroy(ctx, &w->sealing);
+    ice_injection_destroy(ctx, &w->injection);
     ice_heated_destroy(ctx, &w->heated);
     ice_reactions_destroy(ctx, &w->reactions);
     ice_pairs_destroy(ctx, &w->pairs);

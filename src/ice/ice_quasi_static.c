@@ -45,6 +45,7 @@ const char *ice_quasi_static_obstacle(const ice *s)
 {
     if (only_fluid(s) < 0) return "gases of several kinds on cells mix";
     if (ice_reaction_count(s) > 0) return "gases react";
+    if (s->injection) return "gas comes in from a source, or passes a vent";
     for (int a = 0; a < s->mesh->dim; ++a)
         if (s->gravity[a] != 0.0) return "gas on cells under gravity has no single pressure";
     return scene_enclosing_body(s->scene) < 0 ? obstacle_at_sides(s) : NULL; /* else it does not get there */

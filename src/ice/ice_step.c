@@ -5,6 +5,7 @@
 #include "ice/flux/ice_flux.h"
 #include "ice/fraction/ice_fraction.h"
 #include "ice/implicit/ice_implicit.h"
+#include "ice/inject/ice_inject.h"
 #include "ice/points/ice_points.h"
 #include "ice/pressure/ice_pressure.h"
 #include "ice/source/ice_source.h"
@@ -132,6 +133,9 @@ floe_status ice_advection_stages(ice *s)
                 WHEN(r, C_RHO_L), WHEN(f, C_INTERFACE), WHEN(f, F_THETA), WHEN(t, F_DONOR_DENSITY),
                 WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL), WHEN(part, C_ALONE)),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_VEL_L, C_ENERGY_L, WHEN(m, C_VOLUME_L), WHEN(r, C_RHO_L)));
+    STAGE(s, ice_injects(s), ice_inject,
+          READS(C_RHO, C_VEL, C_ENERGY, C_PRESSURE, WHEN(m, C_VOL), WHEN(m, C_KAPPA), WHEN(s->with_points, C_THETA)),
+          WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL)));
     return FLOE_OK;
 }
 

@@ -21,6 +21,8 @@ enum {
     SCENE_MAX_MATERIALS = 12,
     SCENE_MAX_BODIES = 32,
     SCENE_MAX_LOADS = 16,
+    SCENE_MAX_SOURCES = 16,
+    SCENE_MAX_VENTS = 16,
     SCENE_MAX_PROBES = 32,
     SCENE_MAX_TRACERS = 32,
     SCENE_MAX_REACTIONS = 8,
@@ -169,6 +171,36 @@ typedef struct scene_load {
     double target;    /* Pa (pressurise: gauge to reference_pressure; traction), W/m3 (heat) */
     double vector[3]; /* m/s2 */
 } scene_load;
+
+/* Mass of a fluid that comes into the cells (theory 2.18). */
+typedef struct scene_mass_source {
+    char name[SCENE_NAME];
+    int material;       /* index of scene.material */
+    int inside;         /* body whose membrane encloses that fluid, where the deck names it; -1: none */
+    shape region;       /* model NULL: everywhere */
+    double mass_rate;   /* kg/s, of the whole scene */
+    double temperature; /* K */
+    double velocity[3]; /* m/s */
+    double start, end;  /* s; end may be INFINITY */
+} scene_mass_source;
+
+/* The fluid on one side of a vent. */
+typedef struct scene_vent_side {
+    int material; /* index of scene.material */
+    shape region; /* whose state drives the flow; model NULL: everywhere */
+} scene_vent_side;
+
+/* An orifice between two fluids of the cells, or between one and surroundings that do not change (theory 2.19). */
+typedef struct scene_vent {
+    char name[SCENE_NAME];
+    scene_vent_side side[2]; /* from, to; the second has no meaning where it leads outside */
+    bool to_fluid, to_outside;
+    double outside_pressure, outside_temperature; /* Pa, K */
+    double area;                                  /* m2, of the whole scene */
+    double discharge;                             /* coefficient of discharge */
+    bool one_way;                                 /* nothing comes back */
+    double start, end;                            /* s; end may be INFINITY */
+} scene_vent;
 
 struct exchange_model; /* coupling/exchange_law.h */
 
@@ -405,6 +437,10 @@ typedef struct scene {
     int n_bodies;
     scene_load load[SCENE_MAX_LOADS];
     int n_loads;
+    scene_mass_source mass_source[SCENE_MAX_SOURCES];
+    int n_mass_sources;
+    scene_vent vent[SCENE_MAX_VENTS];
+    int n_vents;
     scene_exchange exchange[SCENE_MAX_EXCHANGES];
     int n_exchanges;
     scene_reaction reaction[SCENE_MAX_REACTIONS];

@@ -228,7 +228,7 @@ static floe_status refuse_heat_of_solids(const scene *s, scene_coupling coupling
     return FLOE_OK;
 }
 
-/* The material is somewhere: in a body, the ambient, a side or a reaction. */
+/* The material is somewhere: in a body, the ambient, a side, a reaction or a source. */
 static bool is_present(const scene *s, int material)
 {
     if (has_body_of(s, material) || (s->has_ambient && s->ambient_material == material)) return true;
@@ -237,6 +237,8 @@ static bool is_present(const scene *s, int material)
         if ((at.side->kind == BC_INLET || at.side->kind == BC_RESERVOIR) && at.side->material == material) return true;
     for (int k = 0; k < s->n_reactions; ++k)
         if (s->reaction[k].product == material) return true;
+    for (int k = 0; k < s->n_mass_sources; ++k)
+        if (s->mass_source[k].material == material) return true;
     return false;
 }
 
@@ -345,6 +347,7 @@ floe_status scene_refuse_unsupported(const scene *s, scene_coupling coupling)
     TRY(refuse_interactions(s, coupling));
     TRY(scene_refuse_motions(s, coupling));
     for (int l = 0; l < s->n_loads; ++l) TRY(refuse_load(s, coupling, &s->load[l]));
+    TRY(scene_refuse_sources(s, coupling));
     TRY(scene_check_formulas_in_time(s));
     return scene_check_first_states(s);
 }

@@ -185,6 +185,7 @@ static void remark_idle_materials(const unused_list *list)
             used = used || s->body[b].material == m || s->body[b].membrane.encloses == m;
         for (int k = 0; k < s->n_reactions; ++k)
             used = used || s->reaction[k].product == m || s->reaction[k].reactant == m;
+        for (int k = 0; k < s->n_mass_sources; ++k) used = used || s->mass_source[k].material == m;
         scene_condition at;
         for (int i = 0; scene_next_condition(s, &i, &at);) used = used || at.side->material == m;
         if (used) continue;

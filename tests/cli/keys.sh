@@ -9,9 +9,9 @@
     /^## Shapes/ { exit }
     /^## / { map = $0 ~ /^## Top level/ ? "" : substr($0, 4) "."; kind = ""; next }
     /^### / { kind = substr($0, 5) "."; next }
-    /^\| `/ { split($0, cell, "`"); name = map ~ /^(tables|boundary_parts|materials|bodies|loads|exchange|reactions|springs|supports)\.$/ ? "NAME." : ""
+    /^\| `/ { split($0, cell, "`"); name = map ~ /^(tables|boundary_parts|materials|bodies|loads|exchange|reactions|springs|supports|sources|vents)\.$/ ? "NAME." : ""
               print map name kind cell[2] }' |
-    grep -vE '^bodies\.NAME\.membrane\.(curve|surface)\.|^(constants|tables|boundary_parts|domain|materials|ambient|boundaries|bodies|loads|contact|exchange|reactions|springs|supports|damping|time|stop|method|output|verify|compare|study|stability)$|\.(viscosity|artificial_viscosity|membrane|from|to)$' |
+    grep -vE '^bodies\.NAME\.membrane\.(curve|surface)\.|^(constants|tables|boundary_parts|domain|materials|ambient|boundaries|bodies|loads|contact|exchange|reactions|springs|supports|sources|vents|damping|time|stop|method|output|verify|compare|study|stability)$|\.(viscosity|artificial_viscosity|membrane|from|to|outside)$' |
     sort -u >keys
 
 # What no result of a single run depends on, what says which run it is, and what changes with everything else.

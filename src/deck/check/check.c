@@ -240,6 +240,7 @@ floe_status check_scene(reader *r)
     TRY(check_time(r));
     TRY(check_bodies(r));
     TRY(check_loads(r));
+    TRY(check_sources(r));
     TRY(check_losses(r));
     TRY(check_contact(r));
     TRY(check_reactions(r));

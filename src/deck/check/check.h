@@ -21,13 +21,14 @@ floe_status take_refusal(reader *r, floe_status status);
 /* Does a coupling belong to runs_as? */
 bool scene_runs_as(const scene *s, scene_coupling coupling);
 
-/* check.c, check_boundaries.c, check_bodies.c, check_contact.c, check_reactions.c, check_verify.c */
+/* check.c, check_boundaries.c, check_bodies.c, check_contact.c, check_reactions.c, check_sources.c, check_verify.c */
 floe_status check_scene(reader *r);
 floe_status check_boundaries(reader *r);
 floe_status check_bodies(reader *r);
 /* A membrane by its number among the bodies; its curve and the mesh are without faults. */
 floe_status check_membrane_points(reader *r, int body);
 floe_status check_loads(reader *r);
+floe_status check_sources(reader *r);
 floe_status check_contact(reader *r);
 floe_status check_reactions(reader *r);
 floe_status check_verify(reader *r);

@@ -10,6 +10,7 @@
 #include "ice/exchange/ice_exchange.h"
 #include "ice/flux/ice_flux.h"
 #include "ice/fraction/ice_fraction.h"
+#include "ice/inject/ice_inject.h"
 #include "ice/pressure/ice_pressure.h"
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
@@ -98,7 +99,26 @@ static double side_aperture(const ice *s, int region, const block *b, const int 
                          side);
 }
 
-const ice_cut_geometry ice_sealed_geometry = {side_aperture, ice_is_merged, ice_bound_merged};
+/* Those that are merged after the step have one state, which they keep. */
+static void spread_weights(const ice *s, const ice_region *g, double *const *weight)
+{
+    const ice_merged_cells *p = &s->sealing->next[g->number];
+    ice_clear_merged(&s->sealing->next[g->number]);
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        sum[MERGED_MASS] += weight[m->block][m->at];
+        sum[MERGED_VOLUME] += m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+    }
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        const double open = m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        weight[m->block][m->at] = open > 0.0 ? sum[MERGED_MASS] * open / sum[MERGED_VOLUME] : 0.0;
+    }
+}
+
+const ice_cut_geometry ice_sealed_geometry = {side_aperture, ice_is_merged, ice_bound_merged, spread_weights};
 
 /* ---- after the points have moved ---- */
 
@@ -228,5 +248,8 @@ floe_status ice_sealed_flow_stages(ice *s)
                 WHEN(t, C_ALONE)),
           WRITES(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L),
                  WHEN(r, C_RHO_L)));
+    STAGE(s, ice_injects(s), ice_inject,
+          READS(C_RHO, C_VEL, C_ENERGY, C_PRESSURE, C_OPEN, WHEN(m, C_VOL), WHEN(m, C_KAPPA)),
+          WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL)));
     return FLOE_OK;
 }

@@ -8,7 +8,6 @@
  * (Measured on a pulse of sound: Q of the cell instead, drawn to the outside as in Poinsot & Lele 1992, sends back 1 to
  * 3 per cent, and falls with less than the first power of the cell's size, since Q then feeds on its own errors.) */
 #include "ice/sides/ice_open_side.h"
-#include "ice/state/ice_materials.h"
 
 #include <math.h>
 

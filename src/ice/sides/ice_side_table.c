@@ -1,5 +1,4 @@
 #include "ice/sides/ice_side_table.h"
-#include "ice/state/ice_materials.h"
 
 #include "ice/sides/ice_sides.h"
 

@@ -15,6 +15,7 @@ void ice_find_used(const scene *s, bool with_points, bool *used)
     }
     if (s->has_ambient) used[s->ambient_material] = true;
     for (int k = 0; k < s->n_reactions; ++k) used[s->reaction[k].product] = true;
+    for (int k = 0; k < s->n_mass_sources; ++k) used[s->mass_source[k].material] = true;
     scene_condition at;
     for (int i = 0; scene_next_condition(s, &i, &at);) {
         const bc_side *wall = at.side;
