@@ -26,10 +26,25 @@ typedef struct wall_cell {
     double change, flux;   /* Pa, m3/s: found */
 } wall_cell;
 
+/* How the walls move, as the solids have found it in the step, for fluids whose cells hang together (theory 7.8). Numbers
+ * are of the cells of a wall_response, in their order. */
+typedef struct wall_motion {
+    const void *walls;
+    const double *flux; /* m3/s: more flux out of each cell than the fluids have taken it to be, by the forces so far */
+    /* Change of these fluxes by changes of pressure (Pa): linear, symmetric, not negative. */
+    void (*flux_of)(const void *walls, const double *pressure, double *flux);
+    double (*own_flux)(const void *walls, int cell); /* of a cell by 1 Pa of its own */
+} wall_motion;
+
+/* Finds the changes of pressure. Errors: those of the solver. */
+typedef floe_status wall_solver(void *fluids, const wall_motion *motion, double *pressure);
+
 typedef struct wall_response {
-    context *ctx;    /* not owned */
-    wall_cell *cell; /* owned */
-    wall_push *push; /* owned */
+    context *ctx;       /* not owned */
+    wall_solver *solve; /* NULL: each cell gives way by itself */
+    void *fluids;       /* for solve; not owned */
+    wall_cell *cell;    /* owned */
+    wall_push *push;    /* owned */
     int n_cells, n_pushes, reserved_cells, reserved_pushes;
 } wall_response;
 

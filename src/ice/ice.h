@@ -7,6 +7,7 @@
 #define ICE_ICE_H
 
 #include "coupling/exchange.h"
+#include "coupling/wall_response.h"
 #include "embedded/cut.h"
 #include "grid/ledger.h"
 #include "grid/stage.h"
@@ -182,8 +183,12 @@ floe_status ice_sealed_increment(ice *s);     /* 2.3 */
 floe_status ice_sealed_face_pressure(ice *s); /* 2.4 */
 floe_status ice_sealed_load(ice *s);          /* forces on the boundaries */
 floe_status ice_sealed_wall_pressure(ice *s); /* applies the changes of wall pressure (ice_merged_pieces.c) */
+floe_status ice_sealed_guess(ice *s);         /* 7.8, instead of 2.3 and 2.4: before the walls have moved */
+floe_status ice_sealed_take(ice *s);          /* 7.8: the pressure found with them */
 floe_status ice_sealed_sources(ice *s);       /* 2.6, 2.8, with the work on the boundaries */
 floe_status ice_sealed_advect(ice *s);        /* 2.11, with the new open fractions */
+/* The pressures on walls that they move by, with all cells (7.8): a wall_solver; fluids: the ice. */
+floe_status ice_sealed_solve(void *fluids, const wall_motion *motion, double *pressure);
 /* Which membranes are inside which, from where they are (SEAL_NOW). They stay so. */
 void ice_seal_nest(ice *s);
 /* FLOE_RETRY where boundaries cross each other at a position (SEAL_NOW to SEAL_NEXT); the message says where. */

@@ -190,7 +190,7 @@
 
 /* ---- the implicit pressure (theory 3) ---- */
 
-enum { ICE_MOST_OUTER = 20, ICE_MOST_CG = 200 };
+enum { ICE_MOST_OUTER = 20, ICE_MOST_CG = 200, ICE_MOST_CUT_CG = 500 };
 /* A residual that has grown this much since the best will not come down. */
 #define ICE_HOPELESS_RESIDUAL 100.0
 /* Required norm of the linear residual: of the tolerance times the fourth root of the number of cells, between the

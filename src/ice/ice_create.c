@@ -150,7 +150,7 @@ void ice_destroy(ice **s)
     if (!s || !*s) return;
     ice *w = *s;
     context *ctx = w->ctx;
-    ice_implicit_destroy(ctx, &w->rows);
+    ice_implicit_destroy(ctx, &w->rows, w->n_regions);
     ice_sealing_destroy(ctx, &w->sealing);
     ice_injection_destroy(ctx, &w->injection);
     ice_heated_destroy(ctx, &w->heated);

@@ -88,6 +88,7 @@ typedef struct mpm {
     uint32_t *moved;        /* per global tile: bit of each body of which points have changed cell in the step; owned */
     double time;            /* s: at the start of the step */
     double dt, dt_previous; /* s; dt_previous 0 before the first step */
+    bool forces_at_end;     /* fluids beside surfaces push as at the end of the step (theory 7.8) */
     double kick;            /* s: the time over which forces change velocities in the step */
     double acceleration[SCENE_MAX_BODIES][3]; /* m/s2: body forces now */
     double heat

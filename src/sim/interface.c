@@ -2,6 +2,7 @@
 
 #include "embedded/cut.h"
 #include "ice/ice.h"
+#include "mpm/basis/basis.h"
 #include "mpm/surface/boundary.h"
 #include "scene/flight.h"
 #include "scene/mass_source.h"
@@ -66,6 +67,35 @@ static floe_status needs_explicit_pressure(const scene *s, const mesh *m)
     if (s->method.pressure == PRESSURE_EXPLICIT) return FLOE_OK;
     return fail_key(s->ctx, KEY("method", "pressure"),
                     "beside a membrane around gas, or a sharp interface, the pressure is explicit: leave it out");
+}
+
+/* Bodies that do not deform have no basis. */
+static bool some_solid_deforms(const scene *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (is_solid(s, b) && !motion_is_given(&s->body[b].motion)) return true;
+    return false;
+}
+
+/* The implicit pressure moves surfaces as their nodes alone tell, and has one fluid beside each (theory 7.8). */
+static floe_status needs_known_pressure(const scene *s, const mesh *m)
+{
+    const basis_model *basis = basis_find(s->method.basis);
+    if (s->method.pressure != PRESSURE_IMPLICIT) return needs_explicit_pressure(s, m);
+    if (s->fluids_share)
+        return fail_key(s->ctx, KEY("method", "pressure"),
+                        "implicit beside a sharp interface takes fluids that solids keep apart, and these share cells: "
+                        "use explicit");
+    if (some_solid_deforms(s) && basis && (basis->fact.hats || basis->fact.shaped))
+        return fail_key(s->ctx, KEY("method", "pressure"),
+                        "implicit beside a sharp interface takes solids that deform with basis quadratic or cubic, and "
+                        "the basis is %s",
+                        basis->name);
+    for (int l = 0; l < s->n_loads; ++l)
+        if (s->load[l].kind == LOAD_HEAT || s->load[l].kind == LOAD_PRESSURISE)
+            return fail_key(s->ctx, KEY("loads", s->load[l].name),
+                            "beside a sharp interface it acts on gas with the explicit pressure alone");
+    return FLOE_OK;
 }
 
 /* Heat goes to what cells have of one gas, and gravity to all of it; other loads on gas do not support cut cells. */
@@ -390,7 +420,8 @@ static const requirement requirements[] = {
     {needs_few_fluids, OF_SURFACES | OF_AUTO},
     {needs_membranes_alone, OF_MEMBRANES},
     {needs_plain_loads, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
-    {needs_explicit_pressure, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
+    {needs_explicit_pressure, OF_MEMBRANES | OF_AUTO},
+    {needs_known_pressure, OF_SURFACES},
     {needs_no_conduction, OF_MEMBRANES},
     {needs_no_reaction, OF_MEMBRANES},
     {needs_no_burning, OF_SURFACES | OF_AUTO},

@@ -182,6 +182,7 @@ bool wall_pressure_is_implicit(const sim *s)
 {
     static const double heaviest = 1.5;
     double range[2];
+    if (is_sharp(s) && s->ice->implicit) return true; /* there walls are part of the system (theory 7.8) */
     if (!is_sharp(s) || sim_solves(s) || !(least_ratio(s) < heaviest)) return false;
     ice_densities(s->ice, range);
     for (int b = 0; b < s->scene->n_bodies; ++b)

@@ -36,9 +36,9 @@ floe_status sealed_create(sealed **out, sim *s)
                   .points = s->mpm,
                   .gases = s->ice,
                   .n_lines = n > 0 ? n : s->ice->n_regions,
-                  .walls = {.ctx = s->ctx}};
-    sealed_use_wall_response(t, n == 0 && lightest_moved_solid(s->scene) >=
-                                              0); /* stages that some step may need are planned */
+                  .walls = {.ctx = s->ctx, .solve = s->ice->implicit ? ice_sealed_solve : NULL, .fluids = s->ice}};
+    /* stages that some step may need are planned */
+    sealed_use_wall_response(t, n == 0 && (lightest_moved_solid(s->scene) >= 0 || s->ice->implicit));
     for (int l = 0; l < t->n_lines; ++l) {
         TRY(create_line(t, &s->mesh, n > 0 ? holder[l] : -1, &t->line[l]));
         if (n == 0) t->line[l].fluid = s->ice->material[l].scene_material;

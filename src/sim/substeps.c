@@ -20,6 +20,7 @@ static const char *substep_obstacle(const sim *s)
         return "the interface is smeared, where exchange takes each step of the points (method.interface: sharp)";
     if (s->scene->method.interface != INTERFACE_SHARP)
         return "a membrane around gas is as light as the gas that it moves";
+    if (s->ice->implicit) return "an implicit pressure answers the points' own step";
     if (s->mpm->contact) return "solids in contact are not known to keep together in sub-steps";
     if (has_dense_fluid(s, densest_gas)) return "the gas is too dense for the solid, whose vibrations it would feed";
     return NULL;

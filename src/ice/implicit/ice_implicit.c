@@ -9,7 +9,7 @@
  *
  * The rows for y are symmetric: S/phi on the diagonal, dt^2 phi M / h^2 between two cells, M = sum_r theta^r,f v^r; all
  * times the cell's volume. They are solved by conjugate gradients with multigrid. */
-#include "ice/implicit/ice_implicit_rows.h"
+#include "ice/implicit/ice_implicit.h"
 
 #include "base/memory.h"
 #include "ice/fraction/ice_fraction.h"
@@ -39,7 +39,7 @@ static floe_status fill_implicit(const ice *s, ice_implicit *w)
     for (int a = 0; a < MESH_MAX_DIM; ++a) strength[a] = 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
     w->grid = solve_grid_of_cells(s->mesh);
     TRY(multigrid_of_cells(&w->m, s->ctx, &w->grid, strength));
-    TRY(cg_create(&w->c, s->ctx, &w->grid, 1, ICE_MOST_CG));
+    if (!s->cut) TRY(cg_create(&w->c, s->ctx, &w->grid, 1, ICE_MOST_CG));
     TRY(memory_new(s->ctx, &w->b, w->grid.size, sizeof(double)));
     TRY(memory_new(s->ctx, &w->x, w->grid.size, sizeof(double)));
     TRY(memory_new(s->ctx, &w->tile, (size_t)solve_rows(&w->grid), sizeof(double)));
@@ -51,19 +51,24 @@ static floe_status fill_implicit(const ice *s, ice_implicit *w)
 
 floe_status ice_implicit_create(ice *s)
 {
-    TRY(memory_new(s->ctx, &s->rows, 1, sizeof(ice_implicit)));
-    return fill_implicit(s, s->rows); /* what it has made goes with the work */
+    TRY(memory_new(s->ctx, &s->rows, (size_t)s->n_regions, sizeof(ice_implicit)));
+    for (int g = 0; g < s->n_regions; ++g) TRY(fill_implicit(s, &s->rows[g])); /* what it has made goes with the work */
+    return FLOE_OK;
 }
 
-void ice_implicit_destroy(context *ctx, ice_implicit **w)
+static void free_implicit(context *ctx, ice_implicit *w)
 {
-    if (!*w) return;
-    multigrid_destroy(&(*w)->m);
-    cg_destroy(&(*w)->c);
-    memory_free(ctx, &(*w)->b);
-    memory_free(ctx, &(*w)->x);
-    memory_free(ctx, &(*w)->weight);
-    memory_free(ctx, &(*w)->tile);
+    multigrid_destroy(&w->m);
+    cg_destroy(&w->c);
+    memory_free(ctx, &w->b);
+    memory_free(ctx, &w->x);
+    memory_free(ctx, &w->weight);
+    memory_free(ctx, &w->tile);
+}
+
+void ice_implicit_destroy(context *ctx, ice_implicit **w, int n_regions)
+{
+    for (int g = 0; *w && g < n_regions; ++g) free_implicit(ctx, &(*w)[g]);
     memory_free(ctx, w);
 }
 
@@ -75,12 +80,17 @@ static floe_status give_up(const ice *s, double residual, double best, int outer
         residual, outer, best, s->scene->method.pressure_tolerance);
 }
 
-static int solve_once(ice *s, double residual)
+double ice_implicit_tolerance(const ice *s, const ice_implicit *w, double residual)
 {
-    ice_implicit *w = s->rows;
     const double cells = (double)w->grid.n[0] * w->grid.n[1] * w->grid.n[2];
-    const double tolerance = fmin(ICE_SHARE_OF_TOLERANCE * s->scene->method.pressure_tolerance * sqrt(sqrt(cells)),
-                                  ICE_SHARE_OF_RESIDUAL * residual);
+    return fmin(ICE_SHARE_OF_TOLERANCE * s->scene->method.pressure_tolerance * sqrt(sqrt(cells)),
+                ICE_SHARE_OF_RESIDUAL * residual);
+}
+
+static int solve_once(ice *s, const ice_region *g, double residual)
+{
+    const ice_implicit *w = &s->rows[g->number];
+    const double tolerance = ice_implicit_tolerance(s, w, residual);
     const cg_system system = {multigrid_apply, multigrid_cycle, w->m, CG_WEIGHTED, w->weight};
     return cg_solve_afresh(w->c, &system, tolerance, w->b, w->x).iterations;
 }
@@ -113,7 +123,7 @@ static floe_status search_pressure_step(ice *s, const ice_region *g)
             return give_up(s, residual, best, outer);
         best = fmin(best, residual);
         if (outer == 0 || g->n > 1) TRY(ice_implicit_matrix(s, g));
-        iterations += solve_once(s, residual);
+        iterations += solve_once(s, g, residual);
         ice_implicit_take(s, g);
         ice_implicit_push(s, g);
     }
@@ -122,6 +132,7 @@ static floe_status search_pressure_step(ice *s, const ice_region *g)
 floe_status ice_implicit_pressure_of(ice *s, const ice_region *g)
 {
     TRY(ice_implicit_begin(s, g));
+    ice_implicit_centre(s, g);
     ice_implicit_guess(s, g);
     ice_implicit_push(s, g);
     TRY(search_pressure_step(s, g));

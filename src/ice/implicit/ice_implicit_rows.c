@@ -1,7 +1,7 @@
 /* The implicit pressure's passes over the cells and faces of the blocks. Until ice_implicit_finish, C_DP holds what
  * advection, conduction, heating and new volume do to the pressure, and C_PRESSURE_ADVANCED the latest step of
  * pressure. */
-#include "ice/implicit/ice_implicit_rows.h"
+#include "ice/implicit/ice_implicit.h"
 
 #include "ice/exchange/ice_exchange.h"
 #include "ice/ice_constants.h"
@@ -105,7 +105,12 @@ floe_status ice_implicit_begin(ice *s, const ice_region *g)
         if (ice_reaction_count(s) > 0) ice_created_pressure(s, &v, v.dP);
         for (int r = 0; r < v.n_materials && diffuses; ++r) ice_diffusion_pressure(s, &v, r, v.dP);
     }
-    TRY(ice_load_pressure(s, g));
+    return ice_load_pressure(s, g);
+}
+
+void ice_implicit_centre(ice *s, const ice_region *g)
+{
+    ice_view v;
     ice_fill_ghosts(s, C_DP, g->number, FILL_CURRENT, GHOST_ZERO_OPEN);
     for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, g, axis, set_face_mobility);
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
@@ -117,7 +122,6 @@ floe_status ice_implicit_begin(ice *s, const ice_region *g)
         for (int r = 0; r < v.n_materials; ++r) ice_boundary_mobility(s, &v, r);
     }
     for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, g, axis, centre_face);
-    return FLOE_OK;
 }
 
 static void push_face(const ice *s, const ice_view *v, int axis, int j, int k)
@@ -143,10 +147,15 @@ void ice_implicit_push(const ice *s, const ice_region *g)
     for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, g, axis, push_face);
 }
 
-/* Index on the solver's grid of the first cell of a row. */
-static ptrdiff_t grid_row(const ice *s, const block *b, int j, int k)
+static ice_implicit *rows_of(const ice *s, const ice_view *v)
 {
-    return solve_index(&s->rows->grid, b->lo[0], b->lo[1] + j, b->lo[2] + k);
+    return &s->rows[v->region];
+}
+
+/* Index on the solver's grid of the first cell of a row. */
+static ptrdiff_t grid_row(const ice_implicit *w, const block *b, int j, int k)
+{
+    return solve_index(&w->grid, b->lo[0], b->lo[1] + j, b->lo[2] + k);
 }
 
 static double cell_compressibility(const ice_view *v, ptrdiff_t at)
@@ -183,9 +192,9 @@ static double weight_of(const ice_view *v, ptrdiff_t i)
 static void residual_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     (void)axis;
-    ice_implicit *w = s->rows;
+    ice_implicit *w = rows_of(s, v);
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
-    double *restrict b = w->b + grid_row(s, v->b, j, k), largest = 0.0;
+    double *restrict b = w->b + grid_row(w, v->b, j, k), largest = 0.0;
     bool sound = true;
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
@@ -204,7 +213,7 @@ static void residual_row(const ice *s, const ice_view *v, int axis, int j, int k
 
 double ice_implicit_residual(ice *s, const ice_region *g)
 {
-    ice_implicit *w = s->rows;
+    ice_implicit *w = &s->rows[g->number];
     const int rows = solve_rows(&w->grid);
     double largest = 0.0;
     memset(w->tile, 0, (size_t)rows * sizeof(double));
@@ -216,7 +225,8 @@ double ice_implicit_residual(ice *s, const ice_region *g)
 static void sink_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     (void)axis;
-    double *sink = multigrid_links(s->rows->m).sink + grid_row(s, v->b, j, k);
+    const ice_implicit *w = rows_of(s, v);
+    double *sink = multigrid_links(w->m).sink + grid_row(w, v->b, j, k);
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
         const double phi = ice_implicit_phi(v, 0.5 * (1.0 + v->shock[at]));
@@ -230,7 +240,8 @@ static void link_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
     const double square = v->dt * v->dt * v->inv_h[axis] * v->inv_h[axis];
-    double *link = multigrid_links(s->rows->m).link[axis] + grid_row(s, v->b, j, k);
+    const ice_implicit *w = rows_of(s, v);
+    double *link = multigrid_links(w->m).link[axis] + grid_row(w, v->b, j, k);
     for (ptrdiff_t i = 0; i < n; ++i) {
         const ptrdiff_t R = base + i, L = R - step;
         double mobility = 0.0;
@@ -245,8 +256,8 @@ static void link_row(const ice *s, const ice_view *v, int axis, int j, int k)
 /* A constrained cell keeps its pressure: links to it become sinks of its neighbours, and it is not an unknown. */
 static void constrain_cell(const ice *s, const ice_view *v, int i, int j, int k)
 {
-    const solve_grid *g = &s->rows->grid;
-    const link_system q = multigrid_links(s->rows->m);
+    const solve_grid *g = &rows_of(s, v)->grid;
+    const link_system q = multigrid_links(rows_of(s, v)->m);
     const int cell[MESH_MAX_DIM] = {v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k};
     const ptrdiff_t at = solve_index(g, cell[0], cell[1], cell[2]);
     for (int a = 0; a < g->dim; ++a)
@@ -262,7 +273,8 @@ static void constrain_cell(const ice *s, const ice_view *v, int i, int j, int k)
 
 static void drop_sink(const ice *s, const ice_view *v, int i, int j, int k)
 {
-    multigrid_links(s->rows->m).sink[grid_row(s, v->b, j, k) + i] = 0.0;
+    const ice_implicit *w = rows_of(s, v);
+    multigrid_links(w->m).sink[grid_row(w, v->b, j, k) + i] = 0.0;
 }
 
 static void for_constrained(const ice *s, const ice_region *g,
@@ -274,21 +286,27 @@ static void for_constrained(const ice *s, const ice_region *g,
             if (ice_is_continued(&v, c.at)) visit(s, &v, c.in[0], c.in[1], c.in[2]);
 }
 
-floe_status ice_implicit_matrix(ice *s, const ice_region *g)
+void ice_implicit_links(ice *s, const ice_region *g)
 {
     for_face_rows(s, g, -1, sink_row);
     for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, g, axis, link_row);
+}
+
+floe_status ice_implicit_matrix(ice *s, const ice_region *g)
+{
+    ice_implicit_links(s, g);
     if (s->with_points) {
         for_constrained(s, g, constrain_cell);
         for_constrained(s, g, drop_sink);
     }
-    return multigrid_prepare(s->rows->m);
+    return multigrid_prepare(s->rows[g->number].m);
 }
 
 static void take_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     (void)axis;
-    const double *x = s->rows->x + grid_row(s, v->b, j, k);
+    const ice_implicit *w = rows_of(s, v);
+    const double *x = w->x + grid_row(w, v->b, j, k);
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
         v->P[at] = x[i];
@@ -333,8 +351,13 @@ static void finish_pressure_row(const ice *s, const ice_view *v, int axis, int j
     }
 }
 
-void ice_implicit_finish(ice *s, const ice_region *g)
+void ice_implicit_advance(ice *s, const ice_region *g)
 {
     for_face_rows(s, g, -1, finish_pressure_row);
+}
+
+void ice_implicit_finish(ice *s, const ice_region *g)
+{
+    ice_implicit_advance(s, g);
     ice_finish_increment(s, g);
 }

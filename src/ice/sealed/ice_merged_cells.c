@@ -424,6 +424,7 @@ floe_status ice_sealing_create(ice *s)
         TRY(find_rest(s, r, &rest));
         w->usual[r] = rest.density;
     }
+    if (s->implicit) TRY(ice_cut_system_create(s));
     return memory_new(s->ctx, &w->view, (size_t)s->mesh->n_blocks, sizeof *w->view);
 }
 
@@ -444,6 +445,7 @@ void ice_sealing_destroy(context *ctx, ice_sealing **w)
         free_merged_cells(ctx, &(*w)->next[g]);
         ice_wall_flow_destroy(ctx, &(*w)->wall[g]);
     }
+    ice_cut_system_destroy(ctx, &(*w)->system);
     memory_free(ctx, &(*w)->view);
     memory_free(ctx, w);
 }

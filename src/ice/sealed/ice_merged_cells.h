@@ -65,7 +65,8 @@ typedef struct ice_sealing {
     fluid_state rest[ICE_SEALED_GASES];           /* state of each gas in cells far from it */
     double usual[ICE_MAX_MATERIALS];              /* kg/m3: density of each fluid at the start */
     struct ice_wall_flow *wall[ICE_SEALED_GASES]; /* NULL where no fluid is viscous; owned */
-    ice_view *view;                               /* of every block, for one region at a time (ice_seal_views); owned */
+    struct ice_cut_system *system; /* of the implicit pressure (ice_sealed_implicit.c); NULL: none; owned */
+    ice_view *view;                /* of every block, for one region at a time (ice_seal_views); owned */
 } ice_sealing;
 
 /* At which positions of the boundaries cells are merged: before the points move, over the step, and after it. */
@@ -95,6 +96,8 @@ bool ice_is_merged(const ice *s, int region, const block *b, int i, int j, int k
 
 void ice_merged_centring(const ice *s, const ice_region *g);
 void ice_merged_increment(const ice *s, const ice_region *g);
+/* Volumes of the merged cells and fluxes out of them, with the boundaries at the velocities of the start of the step, into the sums. */
+void ice_merged_fluxes(const ice *s, ice_merged_cells *p);
 void ice_merged_sources(const ice *s, const ice_region *g);
 
 /* Values of a member's faces and of its block. */
@@ -149,6 +152,11 @@ void ice_advance_fluids(const ice *s, ice_merged_cells *p);
 floe_status ice_start_fluids(ice *s, const ice_region *g);
 floe_status ice_remerge_fluids(ice *s, const ice_region *g);
 floe_status ice_renew_fluids(ice *s, const ice_region *g);
+
+/* ---- the implicit pressure (ice_sealed_implicit.c) ---- */
+
+floe_status ice_cut_system_create(ice *s);
+void ice_cut_system_destroy(context *ctx, struct ice_cut_system **w);
 
 /* Sets all sums to zero. */
 void ice_clear_merged(ice_merged_cells *p);

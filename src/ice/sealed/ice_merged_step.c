@@ -101,8 +101,9 @@ void ice_merged_centring(const ice *s, const ice_region *g)
     for (int k = 0; k < p->n; ++k) ice_member_view(s, &p->member[k])->shock[p->member[k].at] = 1.0;
 }
 
-static void add_fluxes(const ice *s, ice_merged_cells *p)
+void ice_merged_fluxes(const ice *s, ice_merged_cells *p)
 {
+    ice_clear_merged(p);
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
         const ice_view *v = ice_member_view(s, m);
@@ -136,8 +137,7 @@ void ice_merged_increment(const ice *s, const ice_region *g)
 {
     ice_merged_cells *p = ice_merged_cells_of(s, g);
     ice_seal_views(s, g);
-    ice_clear_merged(p);
-    add_fluxes(s, p);
+    ice_merged_fluxes(s, p);
     if (g->n > 1) still_elsewhere(s, p);
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k], *lead = &p->member[p->lead[m->merged]];

@@ -197,7 +197,7 @@ floe_status ice_sealed_merge_start(ice *s)
 floe_status ice_sealed_pressure_stages(ice *s)
 {
     const bool m = ice_is_mixture(s), r = ice_reaction_count(s) > 0, slips = m && ice_some_pair_slips(s),
-               t = ice_may_trace(s);
+               t = ice_may_trace(s), implicit = s->implicit;
     STAGE(s, ALWAYS, ice_sealed_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, WHEN(m, C_VOL)),
           WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK, WHEN(m, C_VOL), WHEN(m, C_PRESSURE)));
     STAGE(s, ALWAYS, ice_sealed_pressure,
@@ -214,11 +214,14 @@ floe_status ice_sealed_pressure_stages(ice *s)
                 WHEN(t, C_OPEN), WHEN(m && t, C_KAPPA), WHEN(m && t, C_INTERFACE)),
           WRITES(F_VEL, C_SHOCK, WHEN(t, C_OPEN), WHEN(t, C_PRESSURE), WHEN(t, C_SLOW_SHOCK), WHEN(t, C_ALONE),
                  WHEN(t, F_PRESSURE), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL)));
-    STAGE(s, ALWAYS, ice_sealed_increment,
+    STAGE(s, implicit, ice_sealed_guess,
+          READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_OPEN, C_PRESSURE_STEP),
+          WRITES(F_VEL, F_MOBILITY, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED));
+    STAGE(s, !implicit, ice_sealed_increment,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
                 WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(r, C_REACTED)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
-    STAGE(s, ALWAYS, ice_sealed_face_pressure,
+    STAGE(s, !implicit, ice_sealed_face_pressure,
           READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM), WHEN(t, F_PRESSURE), WHEN(t, C_ALONE)),
           WRITES(F_PRESSURE));
     STAGE(s, ALWAYS, ice_sealed_load, READS(C_PRESSURE_ADVANCED), WRITES(NOTHING));
@@ -229,7 +232,10 @@ floe_status ice_sealed_flow_stages(ice *s)
 {
     const bool m = ice_is_mixture(s), k = ice_conducts(s), r = ice_reaction_count(s) > 0,
                slips = m && ice_some_pair_slips(s), t = ice_may_trace(s);
-    STAGE(s, s->walls, ice_sealed_wall_pressure,
+    STAGE(s, s->implicit, ice_sealed_take,
+          READS(F_VEL, F_MOBILITY, C_RHO, C_PRESSURE, C_SOUND, C_SHOCK, C_OPEN, C_PRESSURE_STEP, C_DP),
+          WRITES(F_VEL, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED, F_PRESSURE));
+    STAGE(s, s->walls && !s->implicit, ice_sealed_wall_pressure,
           READS(C_DP, C_PRESSURE_ADVANCED, C_RHO, F_PRESSURE, WHEN(m, C_RHO_SUM), WHEN(t, C_ALONE)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, F_PRESSURE));
     STAGE(s, ALWAYS, ice_sealed_sources,

@@ -89,10 +89,10 @@ void motions_take_body_forces(mpm *s)
 /* ---- the step ---- */
 
 /* Forces beside cells are those of the start of the step, and act half before and half after it (second order); those
- * of points alone act in between two half steps. */
+ * of points alone act in between two half steps, and those of an implicit pressure before the motion that they go with (theory 7.8). */
 static double share_before(const mpm *s)
 {
-    return s->cells == CELLS_NONE ? 1.0 : 0.5;
+    return s->cells == CELLS_NONE || s->forces_at_end ? 1.0 : 0.5;
 }
 
 static void start_prescribed(const mpm *s, body_motion *m)

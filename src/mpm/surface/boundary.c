@@ -127,6 +127,7 @@ void mpm_boundary_clear(mpm *s)
 void mpm_boundary_responds(mpm *s, wall_response *w)
 {
     s->surfaces->fluids = w;
+    s->forces_at_end = w && w->solve;
 }
 
 void mpm_boundary_displacement(const mpm *s, int body, const cut_surface *c, double *path)

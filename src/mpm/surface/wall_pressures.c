@@ -105,6 +105,45 @@ static bool is_solved(const wall_response *w, const cell_vectors *v)
     return off <= tolerance * largest;
 }
 
+/* What a wall_motion is asked with. */
+typedef struct moved_walls {
+    const mpm *s;
+    const wall_response *w;
+} moved_walls;
+
+static void moved_flux(const void *walls, const double *pressure, double *flux)
+{
+    const moved_walls *m = walls;
+    inertia_flux_of(m->s, m->w, pressure, flux);
+}
+
+/* Of nodes alone: the answer of a body that does not deform has a few directions only, which cost the search an iteration each, and
+ * on the diagonal of every cell it would be far too much. */
+static double moved_own_flux(const void *walls, int cell)
+{
+    const moved_walls *m = walls;
+    const marker_inertia *t = m->s->surfaces->inertia;
+    const int first = m->w->cell[cell].first;
+    if (first < 0 || t->marker[t->of_vertex[m->w->push[first].vertex]].motion) return 0.0;
+    return inertia_own_flux(m->s, m->w, cell);
+}
+
+/* By the fluids, whose other cells take part (theory 7.8). */
+static floe_status find_together(mpm *s, wall_response *w, const cell_vectors *v)
+{
+    const moved_walls walls = {s, w};
+    const wall_motion motion = {&walls, v->of[FIRST], moved_flux, moved_own_flux};
+    inertia_first_flux(s, w, v->of[FIRST]);
+    TRY(w->solve(w->fluids, &motion, v->of[PRESSURE]));
+    inertia_flux_of(s, w, v->of[PRESSURE], v->of[FLUX]);
+    for (int c = 0; c < w->n_cells; ++c) {
+        w->cell[c].change = v->of[PRESSURE][c];
+        w->cell[c].flux = v->of[FIRST][c] + v->of[FLUX][c];
+    }
+    inertia_force_of(s, w, v->of[PRESSURE]);
+    return FLOE_OK;
+}
+
 static void find_pressures(mpm *s, wall_response *w, const cell_vectors *v)
 {
     inertia_first_flux(s, w, v->of[FIRST]);
@@ -159,7 +198,10 @@ floe_status mpm_find_wall_pressures(mpm *s)
     cell_vectors v;
     TRY(inertia_find(s, w));
     TRY(get_vectors(s, w->n_cells, &v));
-    find_pressures(s, w, &v);
+    if (w->solve)
+        TRY(find_together(s, w, &v));
+    else
+        find_pressures(s, w, &v);
     add_forces(s);
     return FLOE_OK;
 }
