@@ -90,6 +90,8 @@
  * have a tenth less error, and an interface in a stream of a gas and a light liquid is unstable; with 0.5 elsewhere mixtures of halves diverge. */
 #define ICE_TRACE_MAJORITY 0.9
 #define ICE_TRACE_ALL_BUT_DROPS 0.99
+/* And of the mass: a gas with a tenth of water in it moves as the water does. */
+#define ICE_TRACE_HALF_OF_MASS 0.5
 
 /* ---- interfaces of several fluids (theory 2.15) ---- */
 

@@ -110,6 +110,9 @@ FLOE_ALWAYS_INLINE void find_row_edges(const trace_block *b, const trace_row *w,
         for (int a = 0; a < dim; ++a) square += b->u[a][at] * b->u[a][at];
         w->mach[1 + i] = sqrt(square) / (kind == TRACE_ONE ? b->c[at] : medium_of(b, at, kind).c);
         w->dilatation[1 + i] = dilatation_share(b, at, dim);
+        /* At the interface of a liquid and a gas slow flow needs its viscosity and its limits. */
+        for (int a = 0; a < dim && kind != TRACE_ONE; ++a)
+            w->dilatation[1 + i] = most(w->dilatation[1 + i], contrast_share(b, at, b->stride[a]));
     }
     for (int axis = 0; axis < dim; ++axis) {
 #pragma omp simd
