@@ -9,6 +9,7 @@
 #include "ice/ice_constants.h"
 #include "ice/state/ice_cells.h"
 #include "ice/state/ice_state.h"
+#include "ice/state/ice_walk.h"
 
 #include <math.h>
 

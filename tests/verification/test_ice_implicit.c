@@ -4,7 +4,7 @@
 #include "order_fixture.h"
 
 #include "ice/fraction/ice_fraction.h"
-#include "ice/implicit/ice_implicit_rows.h"
+#include "ice/implicit/ice_implicit.h"
 
 /* What kind of scene a matrix is taken of. */
 typedef struct kind {
@@ -99,6 +99,7 @@ static double against_differences(const kind *k, double exchange, double size)
     check_ok(f.ctx, ice_equilibrium_pressure(s));
     check_ok(f.ctx, ice_face_velocity(s));
     check_ok(f.ctx, ice_implicit_begin(s, g));
+    ice_implicit_centre(s, g);
     ice_implicit_guess(s, g);
     ice_implicit_push(s, g);
     check_weights(&f, s->rows);

@@ -2,6 +2,7 @@
  * over rows. Several materials: ice_mixture.c. */
 #include "ice/equilibrium/ice_closure.h"
 #include "ice/state/ice_cells.h"
+#include "ice/state/ice_walk.h"
 
 #include <float.h>
 #include <math.h>

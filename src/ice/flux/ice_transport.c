@@ -7,6 +7,7 @@
 #include "ice/state/ice_fluid_state.h"
 #include "ice/state/ice_state.h"
 #include "ice/state/ice_tiles.h"
+#include "ice/state/ice_walk.h"
 
 #include <float.h>
 #include <math.h>

@@ -10,8 +10,8 @@
 #include "ice/shock/ice_shock.h"
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
-#include "ice/state/ice_cells.h"
 #include "ice/state/ice_materials.h"
+#include "ice/state/ice_walk.h"
 
 #include <float.h>
 #include <math.h>

@@ -4,6 +4,7 @@
 #include "ice/state/ice_cells.h"
 #include "ice/state/ice_materials.h"
 #include "ice/state/ice_tiles.h"
+#include "ice/state/ice_walk.h"
 
 #include "base/memory.h"
 #include "geom/compound.h"
@@ -93,7 +94,7 @@ void ice_injection_destroy(context *ctx, ice_injection **w)
 
 /* Share of a cell that fluids have after the step. Smeared solids leave it by their last volume fractions; what is left
  * of a cell that they all but fill takes nothing. */
-static double open_share(const ice *s, const ice_view *v, ptrdiff_t at)
+static double fluid_share(const ice *s, const ice_view *v, ptrdiff_t at)
 {
     double fluid = 1.0;
     if (v->m[0].open1) return v->m[0].open1[at];
@@ -113,7 +114,7 @@ double ice_set_weights(ice *s, const inject_place *p)
         for (size_t n = 0; n < list->n; ++n) {
             int local[MESH_MAX_DIM];
             ice_cell_of(v.b, list->at[n], local);
-            weight[v.b->id][list->at[n]] = p->share[v.b->id][n] * v.volume[local[0]] * open_share(s, &v, list->at[n]);
+            weight[v.b->id][list->at[n]] = p->share[v.b->id][n] * v.volume[local[0]] * fluid_share(s, &v, list->at[n]);
         }
     }
     if (s->cut) s->cut->spread_weights(s, g, weight);

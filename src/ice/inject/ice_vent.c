@@ -11,7 +11,7 @@ typedef struct ideal_gas {
     double gamma, specific_heat;
 } ideal_gas;
 
-static ideal_gas gas_of(const ice *s, int material)
+static ideal_gas vented_gas(const ice *s, int material)
 {
     const eos *law = &s->material[material].eos;
     const double rho = 1.0, T = 1.0;
@@ -37,7 +37,8 @@ static orifice_side gas_at(ice *s, const inject_place *p, double *all)
         t[2] += c.v.multi ? mass * m->vol1[c.at] : c.weight;
     }
     ice_sum_scratch(s, sum);
-    return (orifice_side){.gamma = gas_of(s, p->material).gamma, .mass = sum[0], .energy = sum[1], .volume = sum[2]};
+    return (orifice_side){
+        .gamma = vented_gas(s, p->material).gamma, .mass = sum[0], .energy = sum[1], .volume = sum[2]};
 }
 
 /* What has left a place. */
@@ -46,7 +47,7 @@ typedef struct outflow {
     double momentum[3];             /* kg m/s */
 } outflow;
 
-static void add_outflow(ice *s, const ice_weighed *c, double mass, bool entered, outflow *out)
+static void add_vented(ice *s, const ice_weighed *c, double mass, bool entered, outflow *out)
 {
     double x[MESH_MAX_DIM], *tile = ice_weighed_tile(c, x);
     for (int a = 0; a < s->mesh->dim; ++a) {
@@ -75,7 +76,7 @@ static floe_status let_out(ice *s, const inject_place *p, const orifice_side *ha
         const double there = c.weight * m->rho1[c.at], mass = flow.mass * there / has->mass,
                      enthalpy = flow.enthalpy * there * m->e1[c.at] / has->energy;
         if (!(there > 0.0)) continue;
-        add_outflow(s, &c, mass, entered, out);
+        add_vented(s, &c, mass, entered, out);
         ice_give_out(&c.v, c.r, c.at, mass / c.volume, enthalpy / c.volume);
         if (entered) ice_tile(s, c.v.b, c.local[0], c.local[1], c.local[2])[TILE_SOURCE_ENERGY] -= enthalpy;
     }
@@ -86,7 +87,7 @@ static floe_status let_out(ice *s, const inject_place *p, const orifice_side *ha
 /* It brings the momentum and the energy that it has left with; its jet is not resolved, and mixes out where it enters. */
 static void let_over(ice *s, const inject_place *p, const outflow *given)
 {
-    const ideal_gas gas = gas_of(s, p->material);
+    const ideal_gas gas = vented_gas(s, p->material);
     mass_intake in = {.mass = given->mass};
     double heat = given->enthalpy + given->kinetic;
     for (int a = 0; a < s->mesh->dim; ++a) {
@@ -131,7 +132,7 @@ static floe_status pass_vent(ice *s, int k)
     if (!(area > 0.0)) return FLOE_OK;
     has[0] = gas_at(s, &place[0], &all);
     if (!(has[0].mass > 0.0)) return FLOE_OK;
-    const ideal_gas gas = gas_of(s, place[0].material);
+    const ideal_gas gas = vented_gas(s, place[0].material);
     if (given->to_outside)
         has[1] = orifice_surroundings(gas.gamma, given->outside_pressure,
                                       (gas.gamma - 1.0) * gas.specific_heat * given->outside_temperature);

@@ -5,6 +5,7 @@
 #include "ice/flux/ice_flux.h"
 #include "ice/ice_constants.h"
 #include "ice/state/ice_cells.h"
+#include "ice/state/ice_walk.h"
 
 #include <math.h>
 #include <stdio.h>

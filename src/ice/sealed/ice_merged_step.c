@@ -16,7 +16,7 @@
 #include "ice/ice_constants.h"
 #include "ice/shock/ice_shock.h"
 #include "ice/source/ice_source.h"
-#include "ice/state/ice_cells.h"
+#include "ice/state/ice_walk.h"
 
 #include <math.h>
 #include <string.h>

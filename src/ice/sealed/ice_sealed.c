@@ -12,7 +12,6 @@
 #include "ice/fraction/ice_fraction.h"
 #include "ice/inject/ice_inject.h"
 #include "ice/pressure/ice_pressure.h"
-#include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_materials.h"
 #include "ice/state/ice_traced.h"

@@ -24,7 +24,7 @@
 #include "ice/implicit/ice_implicit.h"
 #include "ice/pressure/ice_pressure.h"
 #include "ice/sides/ice_sides.h"
-#include "ice/state/ice_cells.h"
+#include "ice/state/ice_walk.h"
 
 #include <float.h>
 #include <math.h>
@@ -279,7 +279,7 @@ static double flux_factor(const ice *s)
 }
 
 /* y += dt B M^-1 B^T x, less what the preconditioner's matrix has of it. */
-static void add_walls(const cut_search *q, double *x, double *y)
+static void add_wall_responses(const cut_search *q, double *x, double *y)
 {
     const ice *s = q->s;
     const ice_cut_system *w = s->sealing->system;
@@ -315,7 +315,7 @@ static void apply_matrix(void *user, double *x, double *y)
         gather_at_lead(s, p, to);
         drop_others(s, p, from);
     }
-    add_walls(q, x, y);
+    add_wall_responses(q, x, y);
 }
 
 static void apply_preconditioner(void *user, double *x, double *y)

@@ -12,7 +12,7 @@
 #include "base/memory.h"
 #include "ice/ice_constants.h"
 #include "ice/sides/ice_sides.h"
-#include "ice/state/ice_cells.h"
+#include "ice/state/ice_walk.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "ice/state/ice_cells.h"
 #include "ice/state/ice_lists.h"
 #include "ice/state/ice_tiles.h"
+#include "ice/state/ice_walk.h"
 
 #include "base/memory.h"
 #include "geom/compound.h"

@@ -6,6 +6,7 @@
 #include "ice/ice_constants.h"
 #include "ice/state/ice_cell_numbers.h"
 #include "ice/state/ice_cells.h"
+#include "ice/state/ice_walk.h"
 
 #include <string.h>
 

@@ -69,8 +69,8 @@ FLOE_ALWAYS_INLINE void mark_shared_row(const ice_view *v, ptrdiff_t base, const
     for (ptrdiff_t at = base - 1; at < base + v->b->n[0] + 1; ++at) found[at] = shared;
     for (int r = 0; r < v->n_materials; ++r) {
         const double *restrict theta = v->m[r].theta, *restrict kappa = v->m[r].kappa, *restrict all = v->kappa_sum,
-                               *restrict rho = v->m[r].rho, *restrict mass = v->rho_sum, *restrict interface = v->interface,
-                               number = 1 + r;
+                               *restrict rho = v->m[r].rho, *restrict mass = v->rho_sum,
+                               *restrict interface = v->interface, number = 1 + r;
 #pragma omp simd
         for (ptrdiff_t at = base - 1; at < base + v->b->n[0] + 1; ++at) {
             const double most_of_it = interface[at] > 0.0 ? ICE_TRACE_MAJORITY : ICE_TRACE_ALL_BUT_DROPS;
