@@ -11,6 +11,7 @@ PICTURES = {
     "acoustic_pulse": ("", "", "pressure"),
     "airbag_200": ("--set time.end=0.04", "-w 300", "stress of the bag and the cylinder at 40 ms"),
     "airbag_500": ("--set time.end=0.02", "-w 300", "stress of the bag and the cylinder at 20 ms"),
+    "airbag_inflator": ("", "-t 0.03 -c pressure", "the bag filled, and the pressure in it and about it, at 30 ms"),
     "annulus_traction": ("--set domain.cell=0.05", "", "von Mises stress under an outward traction"),
     "ball_net": ("", "-t 2.5 -r 0:200", "the net throws the ball back, t = 2.5"),
     "bar_mms": ("", "-p stress_xx -c none", "stress of the driven bar"),
