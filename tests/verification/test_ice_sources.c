@@ -337,16 +337,39 @@ static void test_what_couplings_refuse(void **state)
     }
 }
 
+/* ---- a load that heats ---- */
+
+/* A region is a place of the mesh, whatever blocks its cells are in. */
+static void test_heated_in_any_block(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "floe: 1\ncoupling: ice\ndomain: {dim: 2, lower: [0, 0], upper: [0.3, 0.2], cell: 0.02}\nboundaries: slip\n"
+        "materials: {" GAS "}\n"
+        "bodies: {gas: {material: gas, shape: {box: {lower: [0, 0], upper: [0.3, 0.2]}}, pressure: 1e5, temperature: "
+        "300}}\n"
+        "loads: {warm: {heat: {material: gas, region: {box: {lower: [0.21, 0.05], upper: [0.27, 0.09]}}, power: "
+        "1e8}}}\n"
+        "time: {end: 1}\n";
+    const char *const sets[][1] = {{"domain.blocks=[1, 1]"}, {"domain.blocks=[2, 1]"}};
+    for (int k = 0; k < 2; ++k) {
+        sim_totals now;
+        bench t;
+        begin(&t, text, sets[k], 1);
+        run_until(&t, 1e-4);
+        check_ok(t.ctx, sim_sum(t.sim, &now));
+        check_close_relative(now.internal + now.kinetic, 1e5 / 0.4 * 0.06 + 1e8 * 1e-4 * 0.06 * 0.04, 1e-13);
+        end(&t);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_filled_by_a_table),
-        cmocka_unit_test(test_constant_rate),
-        cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_second_fluid),
-        cmocka_unit_test(test_stream),
-        cmocka_unit_test(test_what_decks_refuse),
-        cmocka_unit_test(test_what_couplings_refuse),
+        cmocka_unit_test(test_heated_in_any_block), cmocka_unit_test(test_filled_by_a_table),
+        cmocka_unit_test(test_constant_rate),       cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_second_fluid),        cmocka_unit_test(test_stream),
+        cmocka_unit_test(test_what_decks_refuse),   cmocka_unit_test(test_what_couplings_refuse),
     };
     deck_init();
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -61,6 +61,13 @@ static floe_status find_load_cells(ice *s, int l)
     return FLOE_OK;
 }
 
+/* A cell's indices in its block, and in the mesh, by which it has its place. */
+static void find_indices(const block *b, ptrdiff_t at, int in_block[MESH_MAX_DIM], int cell[MESH_MAX_DIM])
+{
+    ice_cell_of(b, at, in_block);
+    for (int a = 0; a < MESH_MAX_DIM; ++a) cell[a] = b->lo[a] + in_block[a];
+}
+
 /* Share of a cell that lines which cut it leave to its one gas. */
 static double open_share(const ice_fluid *m, ptrdiff_t at)
 {
@@ -101,13 +108,13 @@ static void add_heat(ice *s, const ice_region *g, int l, int r, heat_function *h
         for (size_t n = 0; n < list->n; ++n) {
             const ptrdiff_t at = list->at[n];
             if (!(v.m[r].rho[at] > 0.0)) continue;
-            int cell[MESH_MAX_DIM];
-            ice_cell_of(v.b, at, cell);
+            int in[MESH_MAX_DIM], cell[MESH_MAX_DIM];
+            find_indices(v.b, at, in, cell);
             const double added = ice_region_share(s->mesh, &s->scene->load[l].region, cell) *
                                  heat(&v, r, at, amount_at(s, l, cell, amount));
             v.m[r].el[at] += added / v.m[r].rho[at];
-            ice_tile(s, v.b, cell[0], cell[1], cell[2])[TILE_SOURCE_ENERGY] +=
-                added * v.volume[cell[0]] * open_share(&v.m[r], at);
+            ice_tile(s, v.b, in[0], in[1], in[2])[TILE_SOURCE_ENERGY] +=
+                added * v.volume[in[0]] * open_share(&v.m[r], at);
         }
     }
 }
@@ -130,11 +137,11 @@ static double pressure_slope(const ice_view *v, int r, ptrdiff_t at)
 
 static void add_means(ice *s, const ice_view *v, int r, ptrdiff_t at, const shape *region)
 {
-    int cell[MESH_MAX_DIM];
-    ice_cell_of(v->b, at, cell);
-    const double fluid = v->volume[cell[0]] * (v->multi ? v->m[r].theta[at] : open_share(&v->m[r], at)),
+    int in[MESH_MAX_DIM], cell[MESH_MAX_DIM];
+    find_indices(v->b, at, in, cell);
+    const double fluid = v->volume[in[0]] * (v->multi ? v->m[r].theta[at] : open_share(&v->m[r], at)),
                  weight = fluid > 0.0 ? fluid * ice_region_share(s->mesh, region, cell) : 0.0;
-    double *t = ice_tile(s, v->b, cell[0], cell[1], cell[2]) + TILE_SCRATCH;
+    double *t = ice_tile(s, v->b, in[0], in[1], in[2]) + TILE_SCRATCH;
     if (!(weight > 0.0)) return;
     t[0] += weight;
     t[1] += weight * v->p[at];
@@ -200,9 +207,9 @@ static void add_pressure(ice *s, const ice_region *g, int l, int r, double secon
         for (size_t n = 0; n < list->n; ++n) {
             const ptrdiff_t at = list->at[n];
             const ice_fluid *m = &v.m[r];
-            int cell[MESH_MAX_DIM];
+            int in[MESH_MAX_DIM], cell[MESH_MAX_DIM];
             if (!(m->rho[at] > 0.0)) continue;
-            ice_cell_of(v.b, at, cell);
+            find_indices(v.b, at, in, cell);
             const double share = ice_region_share(s->mesh, &s->scene->load[l].region, cell);
             const double volume = v.multi ? m->v[at] : 1.0 / m->rho[at],
                          part = share * (v.multi ? m->kappa[at] / v.kappa_sum[at] : 1.0);
