@@ -61,7 +61,7 @@ class Batch:
         self.n = ctypes.c_size_t.from_address(address).value
         self.dt = float(numbers[1])
         at = 2
-        for name, rows in (("L", 9), ("F", 9), ("J", 1), ("J_old", 1), ("rho0", 1), ("stress", 6), ("energy", 1), ("q", 1), ("history", library.LAW_HISTORY)):
+        for name, rows in (("L", 9), ("F", 9), ("J", 1), ("J_old", 1), ("rho0", 1), ("stress", 6), ("energy", 1), ("q", 1), ("history", library.LAW_HISTORY), ("temperature", 1), ("heat", 1)):
             size = rows * library.LAW_POINTS
             field = numbers[at:at + size].reshape(rows, library.LAW_POINTS)[:, :self.n]
             setattr(self, name, field.reshape(3, 3, self.n) if rows == 9 else field[0] if rows == 1 else field)
@@ -79,7 +79,7 @@ class SolidLaw(_Law):
     """A law of solids. `par` has the deck's parameters as attributes. `stress`, `wave_speed`, `bulk_modulus` and `shear_modulus` are needed."""
     needs_F: bool = False                       #: the deformation gradient is kept; without it only its determinant is
     has_energy: bool = False                    #: internal energy is state of the points
-    history: Mapping[str, tuple[str, str]] = {}  #: name: (unit, one line), at most 8
+    history: Mapping[str, tuple[str, str]] = {}  #: name: (unit, one line), at most 24
 
     def stress(self, par, batch: Batch) -> int | None:
         """Sets batch.stress (and energy, history) at the end of the step. May return the first point that is beyond the law, which has the step

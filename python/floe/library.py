@@ -13,7 +13,7 @@ from ctypes import (CFUNCTYPE, POINTER, Structure, c_bool, c_char_p, c_double, c
 #: The release whose headers these structs are of.
 RELEASE = "0.2"
 SONAME = "libfloe.so.0"
-MOST_COMPONENTS, LAW_POINTS, LAW_HISTORY = 3, 64, 8
+MOST_COMPONENTS, LAW_POINTS, LAW_HISTORY = 3, 64, 24
 
 (OK, RETRY, BAD_INPUT, DIVERGED, IO, NO_MEMORY, INTERRUPTED, MISSED_BAR, INTERNAL) = range(9)
 
@@ -99,7 +99,7 @@ class Parameter(Structure):
 
 class SolidBatch(Structure):
     _fields_ = [("n", c_size_t), ("dt", c_double)] + [(name, c_double * (rows * LAW_POINTS)) for name, rows in (
-        ("L", 9), ("F", 9), ("J", 1), ("J_old", 1), ("rho0", 1), ("stress", 6), ("energy", 1), ("q", 1), ("history", LAW_HISTORY))]
+        ("L", 9), ("F", 9), ("J", 1), ("J_old", 1), ("rho0", 1), ("stress", 6), ("energy", 1), ("q", 1), ("history", LAW_HISTORY), ("temperature", 1), ("heat", 1))]
 
 
 class History(Structure):

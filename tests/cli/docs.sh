@@ -27,7 +27,7 @@ has stderr 'cell'
 
 # Each option of a command in the guide and in README is one of that command's.
 for page in docs/guide.md README.md; do
-    grep -E '^    floe [a-z]+ ' "$FLOE_SOURCE/$page" | sed 's/ #.*//' | while read -r _ command words; do
+    { grep -E '^    floe [a-z]+ ' "$FLOE_SOURCE/$page" || true; } | sed 's/ #.*//' | while read -r _ command words; do
         [ -f "help-$command" ] || "$FLOE" "$command" --help >"help-$command" || fault "$page: floe $command"
         for word in $words; do
             case $word in
