@@ -51,11 +51,14 @@ static const char *without_name(const char *key, char other[HELP_KEY])
 /* A row of the reference, "| `key` | what may stand there | default | what it is |", if it is that of the key. */
 static bool explain_row(const char *row, const char *section, const char *asked)
 {
-    char full[HELP_KEY], other[HELP_KEY];
+    char key[HELP_KEY / 4], full[HELP_KEY + sizeof key + 1], other[HELP_KEY];
     if (strncmp(row, "| `", 3) != 0) return false;
     const size_t length = strcspn(row + 3, "`");
+    if (length >= sizeof key) return false;
+    memcpy(key, row + 3, length);
+    key[length] = '\0';
     const bool top = strcmp(section, "Top level") == 0;
-    (void)snprintf(full, sizeof full, "%s%s%.*s", top ? "" : section, top ? "" : ".", (int)length, row + 3);
+    (void)snprintf(full, sizeof full, "%s%s%s", top ? "" : section, top ? "" : ".", key);
     if (!is_asked(asked, full) && !is_asked(without_name(asked, other), full)) return false;
     const char *cell = strstr(row, " | ");
     (void)printf("%s\n", full);
