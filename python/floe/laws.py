@@ -61,7 +61,7 @@ class Batch:
         self.n = ctypes.c_size_t.from_address(address).value
         self.dt = float(numbers[1])
         at = 2
-        for name, rows in (("L", 9), ("F", 9), ("J", 1), ("J_old", 1), ("rho0", 1), ("stress", 6), ("energy", 1), ("q", 1), ("history", library.LAW_HISTORY), ("temperature", 1), ("heat", 1)):
+        for name, rows in library.BATCH_ROWS.items():
             size = rows * library.LAW_POINTS
             field = numbers[at:at + size].reshape(rows, library.LAW_POINTS)[:, :self.n]
             setattr(self, name, field.reshape(3, 3, self.n) if rows == 9 else field[0] if rows == 1 else field)

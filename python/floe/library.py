@@ -97,9 +97,12 @@ class Parameter(Structure):
                 ("offset", c_size_t), ("count", c_int), ("doc", c_char_p)]
 
 
+#: The arrays of a batch in their order, and how many rows of LAW_POINTS numbers each has.
+BATCH_ROWS = {"L": 9, "F": 9, "J": 1, "J_old": 1, "rho0": 1, "stress": 6, "energy": 1, "q": 1, "history": LAW_HISTORY, "temperature": 1, "heat": 1}
+
+
 class SolidBatch(Structure):
-    _fields_ = [("n", c_size_t), ("dt", c_double)] + [(name, c_double * (rows * LAW_POINTS)) for name, rows in (
-        ("L", 9), ("F", 9), ("J", 1), ("J_old", 1), ("rho0", 1), ("stress", 6), ("energy", 1), ("q", 1), ("history", LAW_HISTORY), ("temperature", 1), ("heat", 1))]
+    _fields_ = [("n", c_size_t), ("dt", c_double)] + [(name, c_double * (rows * LAW_POINTS)) for name, rows in BATCH_ROWS.items()]
 
 
 class History(Structure):

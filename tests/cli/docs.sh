@@ -6,10 +6,7 @@ python_is_whole || {
     echo 'skipped: no Python with numpy, h5py, matplotlib and jinja2'
     exit 77
 }
-"$FLOE" --version | grep -q -e '-fsanitize' && {
-    echo 'skipped: a library with sanitizers is for programs with them'
-    exit 77
-}
+needs_plain_library
 FLOE_LIBRARY=$(dirname "$FLOE")/libfloe.so
 export FLOE FLOE_LIBRARY
 

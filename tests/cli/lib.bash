@@ -38,6 +38,22 @@ has() {
     grep -qF -- "$2" "$1" || fault "'$2' is not in $1: $(head -c 600 "$1")"
 }
 
+# check_refuses DECK TEXT KEY=VALUE...: `check` of the deck with these settings ends with status 2 and says TEXT.
+check_refuses() {
+    local deck=$1 text=$2 set=() setting
+    shift 2
+    for setting in "$@"; do set+=(--set "$setting"); done
+    expect 2 "$FLOE" check "$deck" "${set[@]}"
+    has stderr "$text"
+}
+
+# Ends the test as skipped where the program, and so its library, has sanitizers: those are for programs with them.
+needs_plain_library() {
+    "$FLOE" --version | grep -q -e '-fsanitize' || return 0
+    echo 'skipped: a library with sanitizers is for programs with them'
+    exit 77
+}
+
 # is_there PATH...
 is_there() {
     local path

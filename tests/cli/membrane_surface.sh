@@ -6,11 +6,7 @@ sphere=$FLOE_SOURCE/inputs/membrane_sphere.yaml
 
 # refused WORDS SET...: the balloon with these keys is refused in these words.
 refused() {
-    local words=$1 set=()
-    shift
-    for key in "$@"; do set+=(--set "$key"); done
-    expect 2 "$FLOE" check "$sphere" "${set[@]}"
-    has stderr "$words"
+    check_refuses "$sphere" "$@"
 }
 refused 'which is strained at the end of a step' method.stress=usf method.losses=drift
 refused "its law 'string' bears along a line alone" materials.skin.membrane='{string: {modulus: 1e4}}'

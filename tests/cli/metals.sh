@@ -26,14 +26,7 @@ END
 law=materials.copper.law.johnson_cook
 expect 0 "$FLOE" check bar.yaml
 
-# refused WORD SET...: `check` ends with status 2 and names WORD.
-refused() {
-    local word=$1 set=()
-    shift
-    for s in "$@"; do set+=(--set "$s"); done
-    expect 2 "$FLOE" check bar.yaml "${set[@]}"
-    grep -q -- "$word" stderr || fault "refusal of $* does not name '$word': $(cat stderr)"
-}
+refused() { check_refuses bar.yaml "$@"; }
 refused specific_heat materials.copper.specific_heat=null
 refused 'rate of strain' time.solver=static
 refused 'rate of strain' time.solver=implicit

@@ -6,10 +6,7 @@
     echo 'skipped: no Python with numpy and h5py'
     exit 77
 }
-"$FLOE" --version | grep -q -e '-fsanitize' && {
-    echo 'skipped: a library with sanitizers is for programs with them'
-    exit 77
-}
+needs_plain_library
 FLOE_LIBRARY=$(dirname "$FLOE")/libfloe.so
 export FLOE_LIBRARY PYTHONPATH=$FLOE_SOURCE/python
 is_there "$FLOE_LIBRARY"

@@ -19,14 +19,7 @@ output: {interval: 0.5, history_interval: 0.1}
 END
 expect 0 "$FLOE" check bar.yaml
 
-# refused WORD SET...: `check` ends with status 2 and names WORD.
-refused() {
-    local word=$1 set=()
-    shift
-    for s in "$@"; do set+=(--set "$s"); done
-    expect 2 "$FLOE" check bar.yaml "${set[@]}"
-    grep -q -- "$word" stderr || fault "refusal of $* does not name '$word': $(cat stderr)"
-}
+refused() { check_refuses bar.yaml "$@"; }
 refused specific_heat 'materials.solid={density: 1, conductivity: 1, law: {linear_elastic: {bulk_modulus: 1, shear_modulus: 0.5}}}'
 refused linear method.basis=linear
 refused 'explicit steps' time.solver=static

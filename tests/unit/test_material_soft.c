@@ -1,23 +1,13 @@
 /* Laws of soft materials and soils against closed forms: Ogden, Drucker-Prager, viscoelastic. */
 #include "check.h"
+#include "solid_batch_fixture.h"
 
-#include "material/solid.h"
 #include "math/tensor.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { XX, YY, ZZ, XY, YZ, ZX };
-
-static void batch_start(solid_batch *b, double dt)
-{
-    memset(b, 0, sizeof *b);
-    b->n = 1;
-    b->dt = dt;
-    b->J[0] = b->J_old[0] = 1.0;
-    b->rho0[0] = 1000.0;
-    for (int k = 0; k < 9; k += 4) b->F[k][0] = 1.0;
-}
 
 static void set_F(solid_batch *b, size_t i, const double F[9])
 {

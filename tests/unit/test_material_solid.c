@@ -1,7 +1,7 @@
 /* Laws of solids against closed forms of their own. */
 #include "check.h"
+#include "solid_batch_fixture.h"
 
-#include "material/solid.h"
 #include "material/strain_from_stress.h"
 #include "math/tensor.h"
 
@@ -10,16 +10,6 @@
 
 /* K, G, and what laws that yield take next: a yield stress above all stresses here. */
 static double moduli[8] = {1e9, 4e8, 1e9};
-
-static void batch_start(solid_batch *b, double dt)
-{
-    memset(b, 0, sizeof *b);
-    b->n = 1;
-    b->dt = dt;
-    b->J[0] = b->J_old[0] = 1.0;
-    b->rho0[0] = 1000.0;
-    for (int k = 0; k < 9; k += 4) b->F[k][0] = 1.0;
-}
 
 /* Simple shear of gamma in n steps. */
 static void shear(const solid_model *law, double gamma, int n, solid_batch *b)

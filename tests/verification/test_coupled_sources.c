@@ -1,6 +1,6 @@
 /* Sources of mass beside solids and inside membranes, and vents (theory 2.18, 2.19): two rigid volumes joined by an orifice, a vessel that
  * exchanges gas with its surroundings, a bag that is filled, against ordinary differential equations. */
-#include "deck_text_fixture.h"
+#include "deck_run_fixture.h"
 
 #define GAS "gas: {eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}"
 #define STEEL \

@@ -1,6 +1,6 @@
 /* A bubble of air in water that swings (theory 2.17): gas that no shock has met keeps its entropy, also in the cells that it shares with water, and at the turn
  * both are at rest. */
-#include "deck_text_fixture.h"
+#include "deck_run_fixture.h"
 
 static const char deck[] =
     "floe: 1\ncoupling: ice\n"

@@ -1,16 +1,6 @@
 /* A shock of Mach 10 that meets a wall at 60 degrees (Woodward and Colella 1984): a part of the lower side lets the gas behind the shock
  * pass, formulas of place and time lead the upper side along with the shock. */
-#include "check.h"
-
-#include "base/memory.h"
-#include "deck/deck.h"
-#include "grid/field.h"
-#include "ice/ice.h"
-#include "run/catalogue.h"
-#include "sim/sim.h"
-
-#include <math.h>
-#include <string.h>
+#include "deck_run_fixture.h"
 
 #define AHEAD "if(x < a + (1 + 20 * t) * cot, "
 static const char deck[] =
@@ -32,36 +22,12 @@ static const char deck[] =
     "cot, T, 1 / 1.4)\"}}\n"
     "time: {end: 1}\n";
 
-typedef struct bench {
-    context *ctx;
-    deck_catalogue *catalogue;
-    scene *scene;
-    sim *sim;
-} bench;
-
-static void begin(bench *t, const char *cells)
+static void begin_with(bench *t, const char *cells)
 {
     char set[80];
     const char *const list[] = {set};
-    const deck_overrides overrides = {list, 1};
-    deck_report report;
     snprintf(set, sizeof set, "constants.n=%s", cells);
-    *t = (bench){.ctx = context_create()};
-    check_ok(t->ctx, catalogue_create(&t->catalogue, t->ctx));
-    const floe_status status =
-        deck_load_text(&t->scene, t->ctx, "deck", deck, strlen(deck), &overrides, t->catalogue, &report);
-    deck_report_free(&report);
-    check_ok(t->ctx, status);
-    check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, t->scene->coupling));
-}
-
-static void end(bench *t)
-{
-    sim_destroy(&t->sim);
-    scene_destroy(&t->scene);
-    catalogue_destroy(t->ctx, &t->catalogue);
-    assert_int_equal(memory_read_account(t->ctx).live_bytes, 0);
-    context_destroy(&t->ctx);
+    begin(t, deck, list, 1);
 }
 
 static double value_of(const bench *t, field_id id, int i, int j)
@@ -91,7 +57,7 @@ static reflection reflect(const char *cells)
 {
     bench t;
     reflection r = {0};
-    begin(&t, cells);
+    begin_with(&t, cells);
     while (t.sim->time < 0.1) check_ok(t.ctx, sim_step(t.sim, 0.1));
     r.foot_at_half = front_of(&t, 0);
     while (t.sim->time < 0.2) check_ok(t.ctx, sim_step(t.sim, 0.2));

@@ -1,56 +1,9 @@
 /* Conditions on parts of sides, and sides whose numbers change with place and time: the same bits as one condition where parts say the
  * same, what enters by a part to round-off, and exact flows. */
-#include "check.h"
+#include "deck_run_fixture.h"
 
-#include "base/memory.h"
-#include "deck/deck.h"
-#include "run/catalogue.h"
 #include "scene/deck_location.h"
 #include "scene/unsupported.h"
-#include "sim/sim.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-typedef struct bench {
-    context *ctx;
-    deck_catalogue *catalogue;
-    scene *scene;
-    sim *sim;
-} bench;
-
-static floe_status load(bench *t, const char *text, const char *const *set, size_t n, deck_report *report)
-{
-    const deck_overrides overrides = {set, n};
-    *t = (bench){.ctx = context_create()};
-    check_ok(t->ctx, catalogue_create(&t->catalogue, t->ctx));
-    return deck_load_text(&t->scene, t->ctx, "deck", text, strlen(text), &overrides, t->catalogue, report);
-}
-
-static void begin(bench *t, const char *text, const char *const *set, size_t n)
-{
-    deck_report report;
-    const floe_status status = load(t, text, set, n, &report);
-    if (report.text) print_error("%s", report.text);
-    deck_report_free(&report);
-    check_ok(t->ctx, status);
-    check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, t->scene->coupling));
-}
-
-static void run_until(bench *t, double until)
-{
-    while (t->sim->time < until) check_ok(t->ctx, sim_step(t->sim, until));
-}
-
-static void end(bench *t)
-{
-    sim_destroy(&t->sim);
-    scene_destroy(&t->scene);
-    catalogue_destroy(t->ctx, &t->catalogue);
-    assert_int_equal(memory_read_account(t->ctx).live_bytes, 0);
-    context_destroy(&t->ctx);
-}
 
 /* Of a cell, counted over the whole mesh. */
 static double value_of(const bench *t, field_id id, int component, int i, int j)

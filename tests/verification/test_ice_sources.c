@@ -1,6 +1,6 @@
 /* Sources of mass (theory 2.18): a rigid volume filled by a table against the first law, a second fluid in a first, a stream that is
  * fed on its way, and what is refused. */
-#include "deck_text_fixture.h"
+#include "deck_run_fixture.h"
 
 #include "scene/unsupported.h"
 

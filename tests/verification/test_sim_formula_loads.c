@@ -1,54 +1,15 @@
 /* Loads by formulas of place and time, against exact motion and exact heat, in the couplings that take them. */
-#include "check.h"
-
-#include "base/memory.h"
-#include "deck/deck.h"
-#include "mpm/mpm.h"
-#include "run/catalogue.h"
-#include "sim/sim.h"
-
-#include <math.h>
-#include <string.h>
+#include "deck_run_fixture.h"
 
 static const double pi = 3.14159265358979323846;
 
-typedef struct bench {
-    context *ctx;
-    deck_catalogue *catalogue;
-    scene *scene;
-    sim *sim;
-} bench;
-
-static void begin(bench *t, const char *text, const char *coupling, const char *cell)
+static void begin_with(bench *t, const char *text, const char *coupling, const char *cell)
 {
     char set[2][80];
     const char *const list[] = {set[0], set[1]};
-    const deck_overrides overrides = {list, 2};
-    deck_report report;
     snprintf(set[0], sizeof set[0], "coupling=%s", coupling);
     snprintf(set[1], sizeof set[1], "constants.h=%s", cell);
-    *t = (bench){.ctx = context_create()};
-    check_ok(t->ctx, catalogue_create(&t->catalogue, t->ctx));
-    const floe_status status =
-        deck_load_text(&t->scene, t->ctx, "deck", text, strlen(text), &overrides, t->catalogue, &report);
-    if (report.text) print_error("%s", report.text);
-    deck_report_free(&report);
-    check_ok(t->ctx, status);
-    check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, t->scene->coupling));
-}
-
-static void run_until(bench *t, double until)
-{
-    while (t->sim->time < until) check_ok(t->ctx, sim_step(t->sim, until));
-}
-
-static void end(bench *t)
-{
-    sim_destroy(&t->sim);
-    scene_destroy(&t->scene);
-    catalogue_destroy(t->ctx, &t->catalogue);
-    assert_int_equal(memory_read_account(t->ctx).live_bytes, 0);
-    context_destroy(&t->ctx);
+    begin(t, text, list, 2);
 }
 
 /* ---- gravity that swings ---- */
@@ -69,7 +30,7 @@ static void check_fall(const char *coupling, double tolerance)
 {
     bench t;
     sim_totals sum;
-    begin(&t, falling, coupling, "0.1");
+    begin_with(&t, falling, coupling, "0.1");
     run_until(&t, 1e-3);
     check_ok(t.ctx, sim_sum(t.sim, &sum));
     const double u = 300.0 / 2000.0 * (1.0 - cos(2.0)), mass = 0.4 * 1e5 / (0.4 * 717.0 * 300.0);
@@ -108,7 +69,7 @@ static void test_traction_in_time(void **state)
     const double impulse = 1e6 * (0.5 * until - sin(2.0 * w * until) / (4.0 * w));
     bench t;
     sim_totals sum;
-    begin(&t, pressed, "mpm", "0.01");
+    begin_with(&t, pressed, "mpm", "0.01");
     run_until(&t, until);
     check_ok(t.ctx, sim_sum(t.sim, &sum));
     check_close(sum.momentum[0], impulse, 4.6e-3 * impulse);
@@ -135,7 +96,7 @@ static void check_heat(const char *coupling, double tolerance)
     const double energy = 1.5e8 * (0.5 * until - sin(2.0 * w * until) / (4.0 * w));
     bench t;
     sim_totals before, after;
-    begin(&t, heated, coupling, "0.05");
+    begin_with(&t, heated, coupling, "0.05");
     check_ok(t.ctx, sim_sum(t.sim, &before));
     run_until(&t, until);
     check_ok(t.ctx, sim_sum(t.sim, &after));

@@ -1,6 +1,6 @@
-/* Scenes from decks that stand in a test as texts. */
-#ifndef TESTS_VERIFICATION_DECK_TEXT_FIXTURE_H
-#define TESTS_VERIFICATION_DECK_TEXT_FIXTURE_H
+/* Decks that stand in a test as texts, loaded and run. */
+#ifndef TESTS_VERIFICATION_DECK_RUN_FIXTURE_H
+#define TESTS_VERIFICATION_DECK_RUN_FIXTURE_H
 
 #include "check.h"
 
