@@ -144,11 +144,16 @@ floe_status mesh_init(mesh *out, context *ctx, const mesh_spec *spec)
     return FLOE_OK;
 }
 
-double mesh_cell_volume(const mesh *m, int i)
+double mesh_box_volume(const mesh *m)
 {
     double volume = 1.0;
     for (int a = 0; a < m->dim; ++a) volume *= m->h[a];
-    return m->geometry == MESH_AXISYMMETRIC ? volume * mesh_centre(m, 0, i) : volume;
+    return volume;
+}
+
+double mesh_cell_volume(const mesh *m, int i)
+{
+    return m->geometry == MESH_AXISYMMETRIC ? mesh_box_volume(m) * mesh_centre(m, 0, i) : mesh_box_volume(m);
 }
 
 double mesh_face_area(const mesh *m, int axis, int i)

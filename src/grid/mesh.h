@@ -101,6 +101,8 @@ static inline double mesh_centre(const mesh *m, int axis, int i)
     return m->lower[axis] + (i + 0.5) * m->h[axis];
 }
 
+/* Product of the spacings (m^dim). */
+double mesh_box_volume(const mesh *m);
 /* Volume of a cell (m3; per metre of depth in 2-D, per m2 in 1-D, per radian when axisymmetric), global i along axis
  * 0. */
 double mesh_cell_volume(const mesh *m, int i);

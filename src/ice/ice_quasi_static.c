@@ -9,6 +9,7 @@
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_cell_numbers.h"
+#include "ice/state/ice_cells.h"
 #include "ice/state/ice_materials.h"
 #include "scene/side_parts.h"
 #include "scene/state.h"

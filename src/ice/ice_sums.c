@@ -1,5 +1,6 @@
 /* Totals over the owned cells, in tile order (docs/structure.md, Tiles), and the mean pressure of a region. */
 #include "ice/source/ice_source.h"
+#include "ice/state/ice_cells.h"
 #include "ice/state/ice_tiles.h"
 #include "ice/state/ice_walk.h"
 

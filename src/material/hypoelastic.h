@@ -77,6 +77,29 @@ FLOE_ALWAYS_INLINE void hypoelastic_step(double lambda, double G, const solid_ba
     for (int k = 0; k < 6; k++) s[k] += h[k];
 }
 
+FLOE_ALWAYS_INLINE double mean_stress(const double s[6])
+{
+    return (s[XX] + s[YY] + s[ZZ]) / 3.0;
+}
+
+/* Of von Mises. */
+FLOE_ALWAYS_INLINE double equivalent_stress(const double s[6], double mean)
+{
+    const double sx = s[XX] - mean, sy = s[YY] - mean, sz = s[ZZ] - mean;
+    const double shear = s[XY] * s[XY] + s[YZ] * s[YZ] + s[ZX] * s[ZX];
+    return sqrt(1.5 * (sx * sx + sy * sy + sz * sz + 2.0 * shear));
+}
+
+/* Keeps the share `left` of the deviator, and changes the mean stress. */
+FLOE_ALWAYS_INLINE void return_stress(double s[6], double mean, double left, double end_mean)
+{
+    const double sx = s[XX] - mean, sy = s[YY] - mean, sz = s[ZZ] - mean;
+    s[XX] = end_mean + left * sx;
+    s[YY] = end_mean + left * sy;
+    s[ZZ] = end_mean + left * sz;
+    for (int k = XY; k <= ZX; k++) s[k] *= left;
+}
+
 /* Plane and axisymmetric batches. A NaN is no equal, and takes the general form. */
 FLOE_ALWAYS_INLINE bool spins_about_z_alone(const solid_batch *b)
 {

@@ -3,7 +3,6 @@
 #ifndef MATERIAL_METAL_H
 #define MATERIAL_METAL_H
 
-#include "base/compiler.h"
 #include "material/elastic_moduli.h"
 #include "material/hypoelastic.h"
 
@@ -32,33 +31,10 @@ enum { PLASTIC_STRAIN, FAILED, OPENING, METAL_HISTORY };
     [FAILED] = {"failed", "1", "1 where the point has failed, else 0"},      \
     [OPENING] = {"opening", "1", "volume strain of what has opened since failure"}
 
-FLOE_ALWAYS_INLINE double mean_stress(const double s[6])
-{
-    return (s[XX] + s[YY] + s[ZZ]) / 3.0;
-}
-
 /* The mean stress of point i as the batch has it. */
 FLOE_ALWAYS_INLINE double mean_stress_at(const solid_batch *b, size_t i)
 {
     return (b->stress[XX][i] + b->stress[YY][i] + b->stress[ZZ][i]) / 3.0;
-}
-
-/* Of von Mises. */
-FLOE_ALWAYS_INLINE double equivalent_stress(const double s[6], double mean)
-{
-    const double sx = s[XX] - mean, sy = s[YY] - mean, sz = s[ZZ] - mean;
-    const double shear = s[XY] * s[XY] + s[YZ] * s[YZ] + s[ZX] * s[ZX];
-    return sqrt(1.5 * (sx * sx + sy * sy + sz * sz + 2.0 * shear));
-}
-
-/* Keeps the share `left` of the deviator. */
-FLOE_ALWAYS_INLINE void shrink_deviator(double s[6], double mean, double left)
-{
-    const double sx = s[XX] - mean, sy = s[YY] - mean, sz = s[ZZ] - mean;
-    s[XX] = mean + left * sx;
-    s[YY] = mean + left * sy;
-    s[ZZ] = mean + left * sz;
-    for (int k = XY; k <= ZX; k++) s[k] *= left;
 }
 
 /* A failed point: pressure, once the opening has closed. K opening is the tension that there would be without it. */

@@ -84,10 +84,8 @@ FLOE_ALWAYS_INLINE double close_opening(double K, double mean, double *opening)
 FLOE_ALWAYS_INLINE double return_to_cone(const yield_cone *c, double s[6], double *strain, double *dilation,
                                          double *opening)
 {
-    const double trial_mean = (s[XX] + s[YY] + s[ZZ]) / 3.0, mean = close_opening(c->K, trial_mean, opening);
-    const double sx = s[XX] - trial_mean, sy = s[YY] - trial_mean, sz = s[ZZ] - trial_mean;
-    const double shear = s[XY] * s[XY] + s[YZ] * s[YZ] + s[ZX] * s[ZX];
-    const double q = sqrt(1.5 * (sx * sx + sy * sy + sz * sz + 2.0 * shear));
+    const double trial_mean = mean_stress(s), mean = close_opening(c->K, trial_mean, opening);
+    const double q = equivalent_stress(s, trial_mean);
     const double beyond = q + c->M * mean - c->k;
     double left = 1.0, end_mean = mean, work = 0.0;
     if (beyond > 0.0) {
@@ -107,10 +105,7 @@ FLOE_ALWAYS_INLINE double return_to_cone(const yield_cone *c, double s[6], doubl
             work = apex * opened;
         }
     }
-    s[XX] = end_mean + left * sx;
-    s[YY] = end_mean + left * sy;
-    s[ZZ] = end_mean + left * sz;
-    for (int k = XY; k <= ZX; k++) s[k] *= left;
+    return_stress(s, trial_mean, left, end_mean);
     return work;
 }
 

@@ -47,7 +47,7 @@ FLOE_ALWAYS_INLINE double return_to_yield(const j2_par *a, double s[6], double *
     const double yield = a->yield_stress + a->hardening_modulus * *alpha;
     if (!(q > yield)) return 0.0;
     const double flow = (q - yield) / (G3 + a->hardening_modulus);
-    shrink_deviator(s, mean, 1.0 - G3 * flow / q);
+    return_stress(s, mean, 1.0 - G3 * flow / q, mean);
     *alpha += flow;
     return (yield + 0.5 * a->hardening_modulus * flow) * flow;
 }

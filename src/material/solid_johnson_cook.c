@@ -139,7 +139,7 @@ static double return_to_yield(const johnson_cook_par *a, solid_batch *b, size_t 
     if (!(q > yield)) return 0.0;
     const double flow = plastic_flow(a, &p, yield), n = a->hardening_exponent;
     const double rate = log_rate(a, b->dt > 0.0 ? flow / b->dt : 0.0);
-    shrink_deviator(s, mean, 1.0 - G3 * flow / q);
+    return_stress(s, mean, 1.0 - G3 * flow / q, mean);
     b->history[PLASTIC_STRAIN][i] = alpha + flow;
     if (has_damage(a)) {
         const double flowing = q - G3 * flow, most = MOST_TRIAXIALITY * flowing;

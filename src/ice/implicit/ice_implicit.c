@@ -26,8 +26,7 @@ static bool is_weighted(const ice *s)
 
 static void set_weights(const ice *s, ice_implicit *w)
 {
-    double box = 1.0;
-    for (int a = 0; a < s->mesh->dim; ++a) box *= s->mesh->h[a];
+    const double box = mesh_box_volume(s->mesh);
     for (int row = 0; row < solve_rows(&w->grid); ++row)
         for (int i = 0; i < w->grid.n[0]; ++i)
             w->weight[solve_row(&w->grid, row) + i] = box / mesh_cell_volume(s->mesh, i);
@@ -72,12 +71,19 @@ void ice_implicit_destroy(context *ctx, ice_implicit **w, int n_regions)
     memory_free(ctx, w);
 }
 
-static floe_status give_up(const ice *s, double residual, double best, int outer)
+floe_status ice_implicit_give_up(const ice *s, double residual, double best, int outer)
 {
     return fail(
         s->ctx, FLOE_RETRY,
         "implicit pressure: volumes are off by %.3g of a cell after %d outer iterations (best %.3g, asked for %.3g)",
         residual, outer, best, s->scene->method.pressure_tolerance);
+}
+
+void ice_implicit_tally(const ice *s, int outer, int iterations)
+{
+    ledger_tally(s->ledger, COUNT_PRESSURE_SOLVES, 1);
+    ledger_tally(s->ledger, COUNT_OUTER_ITERATIONS, outer);
+    ledger_tally(s->ledger, COUNT_CG_ITERATIONS, iterations);
 }
 
 double ice_implicit_tolerance(const ice *s, const ice_implicit *w, double residual)
@@ -114,13 +120,11 @@ static floe_status search_pressure_step(ice *s, const ice_region *g)
         find_fractions(s, g);
         const double residual = ice_implicit_residual(s, g);
         if (residual <= tolerance) {
-            ledger_tally(s->ledger, COUNT_PRESSURE_SOLVES, 1);
-            ledger_tally(s->ledger, COUNT_OUTER_ITERATIONS, outer);
-            ledger_tally(s->ledger, COUNT_CG_ITERATIONS, iterations);
+            ice_implicit_tally(s, outer, iterations);
             return FLOE_OK;
         }
         if (!(residual < ICE_HOPELESS_RESIDUAL * best) || outer == ICE_MOST_OUTER)
-            return give_up(s, residual, best, outer);
+            return ice_implicit_give_up(s, residual, best, outer);
         best = fmin(best, residual);
         if (outer == 0 || g->n > 1) TRY(ice_implicit_matrix(s, g));
         iterations += solve_once(s, g, residual);

@@ -23,6 +23,9 @@ floe_status ice_implicit_pressure_of(ice *s, const ice_region *g);
 
 /* The linear residual that is asked for, of the largest error of a volume that there is. */
 double ice_implicit_tolerance(const ice *s, const ice_implicit *w, double residual);
+/* How a search ends: FLOE_RETRY, as it does not come to the tolerance; or counted, with its iterations. */
+floe_status ice_implicit_give_up(const ice *s, double residual, double best, int outer);
+void ice_implicit_tally(const ice *s, int outer, int iterations);
 /* What sound does to P before any step of pressure is known: into the array of dP. */
 floe_status ice_implicit_begin(ice *s, const ice_region *g);
 /* u*_0 from the explicit u* and that, whose ghosts it fills (rows of theory 3 with dP = 0). */

@@ -7,23 +7,11 @@
 #include "ice/state/ice_walk.h"
 
 #include "base/memory.h"
-#include "geom/compound.h"
 #include "ice/ice_constants.h"
 
 #include <string.h>
 
 /* ---- making ---- */
-
-static double share_of(const mesh *m, const shape *region, const int cell[MESH_MAX_DIM])
-{
-    double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {0.0, 0.0, 0.0};
-    if (!region->model) return 1.0;
-    for (int a = 0; a < m->dim; ++a) {
-        lo[a] = mesh_node(m, a, cell[a]);
-        hi[a] = lo[a] + m->h[a];
-    }
-    return region_share(region, m->dim, lo, hi, m->geometry == MESH_AXISYMMETRIC);
-}
 
 static floe_status find_place(ice *s, inject_place *p, const shape *region, int fluid)
 {
@@ -32,11 +20,11 @@ static floe_status find_place(ice *s, inject_place *p, const shape *region, int 
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const block *b = &s->mesh->block[id];
         size_t most = 0;
-        for (ice_walk c = ICE_FIRST; ice_next_cell(b, &c);) most += share_of(s->mesh, region, c.cell) > 0.0;
+        for (ice_walk c = ICE_FIRST; ice_next_cell(b, &c);) most += ice_region_share(s->mesh, region, c.cell) > 0.0;
         TRY(memory_new(s->ctx, &p->cells[id].at, most + 1, sizeof *p->cells[id].at));
         TRY(memory_new(s->ctx, &p->share[id], most + 1, sizeof *p->share[id]));
         for (ice_walk c = ICE_FIRST; ice_next_cell(b, &c);) {
-            const double share = share_of(s->mesh, region, c.cell);
+            const double share = ice_region_share(s->mesh, region, c.cell);
             if (!(share > 0.0)) continue;
             p->share[id][p->cells[id].n] = share;
             p->cells[id].at[p->cells[id].n++] = c.at;

@@ -84,17 +84,10 @@ static ptrdiff_t lead_index(const ice *s, const ice_merged_cells *p, int merged)
     return index_of(s, p->member[p->lead[merged]].cell);
 }
 
-static double box_volume(const mesh *m)
-{
-    double box = 1.0;
-    for (int a = 0; a < m->dim; ++a) box *= m->h[a];
-    return box;
-}
-
 /* Volume of a merged cell, as the rows have it: none is so small that its pressure is without bounds. */
 static double volume_of(const ice *s, const ice_merged_cells *p, int merged)
 {
-    return fmax(p->sum[(size_t)merged * MERGED_SUMS + MERGED_VOLUME], ICE_GAP_FRACTION * box_volume(s->mesh));
+    return fmax(p->sum[(size_t)merged * MERGED_SUMS + MERGED_VOLUME], ICE_GAP_FRACTION * mesh_box_volume(s->mesh));
 }
 
 /* rho c^2 of a merged cell. */
@@ -109,8 +102,9 @@ static double stiffness_of(const ice *s, const ice_merged_cells *p, int merged)
 /* The same with the linear part of the bulk viscosity (theory 2.8, iv), q = c_l c h times the rate at which the density rises. */
 static double resistance_of(const ice *s, const ice_merged_cells *p, int merged)
 {
-    const ice_view *v = ice_member_view(s, &p->member[p->lead[merged]]);
-    const double c = ice_merged_sound(v, p->member[p->lead[merged]].at);
+    const ice_member *lead = &p->member[p->lead[merged]];
+    const ice_view *v = ice_member_view(s, lead);
+    const double c = ice_merged_sound(v, lead->at);
     return stiffness_of(s, p, merged) * (1.0 + ICE_SHOCK_LINEAR * v->finest / (c * s->dt));
 }
 
@@ -172,7 +166,7 @@ static void cut_links(const ice *s, const ice_region *g, int axis)
 static void cut_sinks(const ice *s, const ice_region *g)
 {
     const ice_merged_cells *p = ice_merged_cells_of(s, g);
-    const double box = box_volume(s->mesh);
+    const double box = mesh_box_volume(s->mesh);
     double *sink = multigrid_links(s->rows[g->number].m).sink, *weight = part_of(s, g, s->sealing->system->weight);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const ice_view *v = &s->sealing->view[id];
@@ -203,7 +197,7 @@ static void find_matrix(ice *s, const ice_region *g)
 static void find_right_side(ice *s, const ice_region *g)
 {
     ice_merged_cells *p = ice_merged_cells_of(s, g);
-    const double box = box_volume(s->mesh);
+    const double box = mesh_box_volume(s->mesh);
     double *b = part_of(s, g, s->sealing->system->b), *weight = part_of(s, g, s->sealing->system->weight);
     (void)ice_implicit_residual(s, g);
     const solve_grid *grid = &s->rows[g->number].grid;
@@ -270,12 +264,11 @@ floe_status ice_sealed_guess(ice *s)
 typedef struct cut_search {
     const ice *s;
     const wall_motion *walls;
-    int n_cells; /* of all walls */
 } cut_search;
 
 static double flux_factor(const ice *s)
 {
-    return s->dt / box_volume(s->mesh);
+    return s->dt / mesh_box_volume(s->mesh);
 }
 
 /* y += dt B M^-1 B^T x, less what the preconditioner's matrix has of it. */
@@ -374,16 +367,12 @@ static floe_status search_steps(ice *s, cut_search *q)
     memset(w->x, 0, (size_t)s->n_regions * w->size * sizeof *w->x);
     for (; residual > tolerance; ++outer) {
         if (!(residual < ICE_HOPELESS_RESIDUAL * best) || outer == ICE_MOST_OUTER)
-            return fail(s->ctx, FLOE_RETRY,
-                        "implicit pressure: volumes are off by %.3g of a cell after %d solutions (asked for %.3g)",
-                        residual, outer, tolerance);
+            return ice_implicit_give_up(s, residual, best, outer);
         best = fmin(best, residual);
         iterations += cg_solve(w->c, &system, ice_implicit_tolerance(s, s->rows, residual), w->b, w->x).iterations;
         residual = largest_error(s);
     }
-    ledger_tally(s->ledger, COUNT_PRESSURE_SOLVES, 1);
-    ledger_tally(s->ledger, COUNT_OUTER_ITERATIONS, outer);
-    ledger_tally(s->ledger, COUNT_CG_ITERATIONS, iterations);
+    ice_implicit_tally(s, outer, iterations);
     return FLOE_OK;
 }
 
@@ -400,8 +389,8 @@ static floe_status reserve_walls(const ice *s, ice_cut_system *w, size_t n)
 floe_status ice_sealed_solve(void *fluids, const wall_motion *motion, double *pressure)
 {
     ice *s = fluids;
-    cut_search q = {s, motion, s->walls->n_cells};
-    TRY(reserve_walls(s, s->sealing->system, (size_t)q.n_cells));
+    cut_search q = {s, motion};
+    TRY(reserve_walls(s, s->sealing->system, (size_t)s->walls->n_cells));
     TRY(meet_walls(s, &q));
     TRY(search_steps(s, &q));
     int first = 0;

@@ -6,7 +6,6 @@
 #include "ice/state/ice_walk.h"
 
 #include "base/memory.h"
-#include "geom/compound.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -37,16 +36,6 @@ bool ice_some_load_heats(const ice *s)
     for (int l = 0; l < s->scene->n_loads; ++l)
         if (adds_heat(&s->scene->load[l])) return true;
     return false;
-}
-
-double ice_region_share(const mesh *m, const shape *region, const int cell[MESH_MAX_DIM])
-{
-    double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {0.0, 0.0, 0.0};
-    for (int a = 0; a < m->dim; ++a) {
-        lo[a] = mesh_node(m, a, cell[a]);
-        hi[a] = lo[a] + m->h[a];
-    }
-    return region_share(region, m->dim, lo, hi, m->geometry == MESH_AXISYMMETRIC);
 }
 
 /* Cells of a load's region: those of which some part lies inside, with its share. */

@@ -56,7 +56,5 @@ bool ice_some_load_heats(const ice *s);
 /* What heating at a given power does to the pressure over the step, at the volumes there are, onto the array of dP: for the
  * implicit pressure, in whose one step the flow relieves it. */
 floe_status ice_load_pressure(ice *s, const ice_region *g);
-/* Share of a cell that lies in a region of a load; 1 where that has no model. */
-double ice_region_share(const mesh *m, const shape *region, const int cell[MESH_MAX_DIM]);
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "geom/compound.h"
 
 #include <stdio.h>
 
@@ -65,6 +66,16 @@ void ice_side_place(const ice *s, const block *b, int axis, bool upper, const in
 {
     ice_place_of(s, b, cell, x);
     x[axis] = mesh_node(s->mesh, axis, b->lo[axis] + cell[axis] + upper);
+}
+
+double ice_region_share(const mesh *m, const shape *region, const int cell[MESH_MAX_DIM])
+{
+    double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {0.0, 0.0, 0.0};
+    for (int a = 0; a < m->dim; ++a) {
+        lo[a] = mesh_node(m, a, cell[a]);
+        hi[a] = lo[a] + m->h[a];
+    }
+    return region_share(region, m->dim, lo, hi, m->geometry == MESH_AXISYMMETRIC);
 }
 
 void ice_cell_of(const block *b, ptrdiff_t at, int cell[MESH_MAX_DIM])
