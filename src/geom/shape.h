@@ -60,6 +60,9 @@ typedef struct shape {
 
 /* Checks and prepares a shape whose parameters are filled. `why` says what is wrong with them, "" if nothing is. */
 floe_status shape_prepare(const shape *s, int dim, const shape_memory *memory, char why[SHAPE_WHY]);
+/* The union of n prepared shapes, which stay the caller's and live as long; its `par` is the caller's, who frees it by memory_free.
+ * FLOE_NO_MEMORY. */
+floe_status shape_unite(context *ctx, shape *part, size_t n, int dim, shape *out);
 /* Whether all of the box of its bounds is inside. */
 bool shape_fills_bounds(const shape *s, int dim);
 /* The greatest distance (m) that its bounds span; 0: it has none. */

@@ -1,6 +1,8 @@
 /* What lies inside one shape of several, or on a side that two of them share. */
 #include "geom/boolean.h"
 
+#include "base/memory.h"
+
 #include <math.h>
 
 typedef struct union_par {
@@ -69,3 +71,13 @@ const shape_model shape_union = {
     .check = union_check,
     .prepare = union_prepare,
 };
+
+floe_status shape_unite(context *ctx, shape *part, size_t n, int dim, shape *out)
+{
+    union_par *u = NULL;
+    char why[SHAPE_WHY] = "";
+    TRY(memory_new(ctx, &u, 1, sizeof *u));
+    *u = (union_par){.shapes = {part, n}};
+    *out = (shape){&shape_union, u};
+    return union_prepare(u, dim, NULL, why);
+}

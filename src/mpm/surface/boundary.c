@@ -48,10 +48,30 @@ static floe_status check_points(const mpm *s)
     return FLOE_OK;
 }
 
+/* Bodies that part draw the surface out between them that they had in common. */
+static floe_status check_drawn_out(const mpm *s)
+{
+    static const double cells = 3.0; /* six times as long as at the start */
+    const surface_markers *k = &s->surfaces->markers;
+    for (int n = 0; n < k->n_triangles; ++n)
+        for (int e = 0; e < 3; ++e) {
+            const double *x = k->next[k->triangle[n].vertex[e]].x, *y = k->next[k->triangle[n].vertex[(e + 1) % 3]].x;
+            for (int a = 0; a < 3; ++a)
+                if (!(fabs(x[a] - y[a]) < cells * s->mesh->h[a]))
+                    return fail(s->ctx, FLOE_DIVERGED,
+                                "the surface of a solid is drawn out by three cells at (%g, %g, %g), as where bodies "
+                                "part that touched at the start: leave a cell between them, or use method.interface: "
+                                "smeared",
+                                x[0], x[1], x[2]);
+        }
+    return FLOE_OK;
+}
+
 static floe_status check_ends(const mpm *s)
 {
     const surface_markers *k = &s->surfaces->markers;
     if (s->mesh->dim == 1) return check_points(s);
+    TRY(check_drawn_out(s));
     for (int n = 0; n < k->n_triangles; ++n) /* whose sides may be two cells long from the start */
         for (int e = 0; e < 3 && k->triangle[n].rim; ++e)
             TRY(check_end(s, k->triangle[n].vertex[e], k->triangle[n].vertex[(e + 1) % 3], 3.0));

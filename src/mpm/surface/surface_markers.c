@@ -9,6 +9,7 @@
 #include "mpm/surface/boundary.h"
 #include "mpm/surface/surfaces.h"
 #include "mpm/surface/traction.h"
+#include "mpm/surface/welded.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -130,10 +131,16 @@ static floe_status add_contour(mpm *s, const mpm_body *b, const contour *o)
 
 /* ---- in space ---- */
 
+/* None for bodies whose surface another has, to which they are welded. */
 static floe_status make_facets(const scene *s, const mesh *m, const scene_body *body, facet_surface *out)
 {
     const seed_spec grid = body_seed_spec(s, m, body);
-    return facets_make(out, s->ctx, &body->shape, &grid, FACET_DIVISIONS);
+    welded w;
+    *out = (facet_surface){.n = 0};
+    floe_status status = welded_find(s, m, body, &w);
+    if (status == FLOE_OK && w.shape.model) status = facets_make(out, s->ctx, &w.shape, &grid, FACET_DIVISIONS);
+    welded_free(s->ctx, &w);
+    return status;
 }
 
 /* A little beyond the middle of a facet, on the side of the gas. */
