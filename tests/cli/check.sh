@@ -21,6 +21,14 @@ has stderr 'many_errors.yaml:10:'
 has stderr 'many_errors.yaml:11:'
 [ ! -s stdout ] || fault 'errors belong to standard error'
 
+# A terminal gets lines of 80 columns at most, of the deck too, with the same words; a file gets each message as one line.
+cp "$decks/many_errors.yaml" many.yaml
+"$FLOE" check many.yaml 2>as-file || true
+script -qc "$FLOE check many.yaml" /dev/null </dev/null | tr -d '\r' | sed 's/\x1b\[[0-9;]*m//g' >as-terminal
+grep -q '.\{81\}' as-file || fault 'no message of this deck is long'
+if grep '.\{81\}' as-terminal; then fault 'a terminal gets lines of more than 80 columns'; fi
+[ "$(tr -s ' \n' ' ' <as-file)" = "$(tr -s ' \n' ' ' <as-terminal)" ] || fault 'a terminal gets other words'
+
 expect 2 "$FLOE" check "$decks/syntax.yaml"
 has stderr 'syntax.yaml:4:'
 expect 2 "$FLOE" check "$decks/impossible.yaml"
