@@ -1,6 +1,7 @@
 /* Defaults that depend on more than one key. */
 #include "deck/deck_internal.h"
 #include "scene/deck_location.h"
+#include "scene/formula.h"
 #include "scene/side_parts.h"
 #include "scene/slender.h"
 
@@ -53,6 +54,29 @@ static int only_fluid(const scene *s)
     return found;
 }
 
+/* Whether the only fluids are gases, or is the ambient: else a liquid may come back where the ambient is none. */
+static bool ambient_is_all_outside(const scene *s)
+{
+    for (int i = 0; i < s->n_materials; i++) {
+        if (s->material[i].kind != MATERIAL_FLUID || i == s->ambient_material) continue;
+        if (!s->material[i].eos.model || eos_is_liquid(&s->material[i].eos)) return false;
+    }
+    return true;
+}
+
+/* What comes back through an outlet is the ambient at rest, and through a non-reflecting side the ambient, unless the deck says
+ * otherwise. Of an ambient that differs from place to place, or moves, it is not known. */
+static void finish_outside(const scene *s, bc_side *side)
+{
+    bool known = s->has_ambient && s->ambient_material >= 0 && !scene_formula_of(s, &s->ambient_temperature);
+    for (int a = 0; a < s->mesh.dim && side->kind == BC_OUTLET; ++a)
+        known = known && s->ambient_velocity[a] == 0.0 && !scene_formula_of(s, &s->ambient_velocity[a]);
+    if (!known || side->temperature > 0.0 || scene_formula_of(s, &side->temperature)) return;
+    if ((side->material >= 0 && side->material != s->ambient_material) || !ambient_is_all_outside(s)) return;
+    side->material = s->ambient_material;
+    side->temperature = s->ambient_temperature;
+}
+
 /* What lies behind the sides that a fluid crosses. */
 static void finish_inlets(scene *s)
 {
@@ -62,6 +86,7 @@ static void finish_inlets(scene *s)
         bc_side *side = at.part ? &s->part[i - 1 - 2 * s->mesh.dim].condition : &s->bc.side[at.axis][at.end];
         const bool flows = side->kind == BC_INLET || side->kind == BC_OUTLET || side->kind == BC_RESERVOIR ||
                            side->kind == BC_NON_REFLECTING;
+        if (side->kind == BC_OUTLET || side->kind == BC_NON_REFLECTING) finish_outside(s, side);
         if (flows && side->material < 0) side->material = fluid;
     }
 }

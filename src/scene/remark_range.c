@@ -1,7 +1,9 @@
 /* Numbers that can be read and run, and are hardly what was meant: units a thousand times off, temperatures in Celsius,
  * loads and outputs that never come. Magnitudes are looked at where units are SI. */
 #include "scene/deck_location.h"
+#include "scene/formula.h"
 #include "scene/remark_internal.h"
+#include "scene/side_parts.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -199,6 +201,25 @@ static void remark_outlets(remark_speaker *w)
         }
 }
 
+/* Fluid that comes back through an outlet of which the deck does not say what is outside. */
+static void remark_unknown_outside(remark_speaker *w)
+{
+    const scene *s = w->s;
+    scene_condition at;
+    if (s->method.pressure != PRESSURE_EXPLICIT)
+        return; /* slow flow: its motion has too little energy to feed itself */
+    for (int i = 0; scene_next_condition(s, &i, &at);) {
+        const bc_side *side = at.side;
+        if (side->kind != BC_OUTLET || side->temperature > 0.0 || scene_formula_of(s, &side->temperature)) continue;
+        remark_set_key(w, "boundaries", mesh_axis_name(s->mesh.geometry, at.axis), at.end ? "upper" : "lower");
+        remark_key(w,
+                   "what is outside the outlet is not known: should fluid come back, it has the temperature inside and "
+                   "the whole pressure however fast it is, and may grow hot and fast. Give the outlet's temperature "
+                   "and material, those of fluid at rest outside");
+        return;
+    }
+}
+
 void remark_range(const scene *s, remark_sink *say, void *user)
 {
     remark_speaker w = {.s = s, .say = say, .user = user};
@@ -207,4 +228,5 @@ void remark_range(const scene *s, remark_sink *say, void *user)
     remark_times(&w);
     remark_waves(&w);
     remark_outlets(&w);
+    if (s->coupling != COUPLING_MPM) remark_unknown_outside(&w);
 }

@@ -31,12 +31,7 @@ static void mark_open(const ice *s, const ice_region *g)
 
 static void fill_state(const ice *s, const ice_region *g)
 {
-    for (int r = g->first; r < g->first + g->n; ++r) {
-        ice_fill_ghosts(s, C_RHO, r, FILL_CURRENT, GHOST_DENSITY);
-        ice_fill_ghosts(s, C_VEL, r, FILL_CURRENT, GHOST_VELOCITY);
-        ice_fill_ghosts(s, C_ENERGY, r, FILL_CURRENT, GHOST_ENERGY);
-        if (g->n > 1) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
-    }
+    ice_fill_state(s, g->first, g->n);
     ice_fill_ghosts(s, C_SHOCK, g->number, FILL_CURRENT, GHOST_EVEN);
 }
 

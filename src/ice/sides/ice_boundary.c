@@ -51,19 +51,12 @@ static void apply_rule(ghost_rule rule, double *a, ptrdiff_t at, ptrdiff_t out, 
     }
 }
 
-/* Whether a material is in the region of the one that a side brings: the density beyond the side is then none of its own. */
-static bool shares_cells(const ice *s, int r, int side_material)
-{
-    const int brought = ice_material_of(s, side_material);
-    return brought < 0 ? !s->cut : ice_region_of(s, r) == ice_region_of(s, brought);
-}
-
 static double reservoir_value(const ice *s, const ice_side_face *here, int r, ice_ghost kind, bool *given)
 {
     const bc_side *wall = here->condition;
     const ice_reservoir *in = &here->behind;
     const bool enters = s->material[r].scene_material == wall->material;
-    *given = enters || (kind == GHOST_DENSITY && shares_cells(s, r, wall->material));
+    *given = enters || (kind == GHOST_DENSITY && ice_shares_cells(s, r, wall->material));
     switch (kind) {
     case GHOST_DENSITY: return enters ? in->rho : 0.0;
     case GHOST_ENERGY: return in->e;
@@ -121,11 +114,11 @@ static ghost_rule rule_of(const ice *s, const ice_side_face *here, int axis, int
     return (ghost_rule){.act = ACT_NEAREST};
 }
 
+/* One array beyond one side of a block, by the rules of its faces. */
 static void fill_beyond(const ice *s, const block *b, int axis, mesh_side side, int r, int component, ice_ghost kind,
                         double *a)
 {
-    const bool state = kind == GHOST_VELOCITY || kind == GHOST_DENSITY || kind == GHOST_ENERGY || kind == GHOST_VOLUME,
-               differs = ice_side_differs(s, axis, side);
+    const bool differs = ice_side_differs(s, axis, side);
     const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
     const ice_side_face *here = ice_side_at(s, b, axis, side, 0, 0, 0);
     ghost_rule rule = rule_of(s, here, axis, r, component, kind);
@@ -134,22 +127,39 @@ static void fill_beyond(const ice *s, const block *b, int axis, mesh_side side, 
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
             for (int i = lo[0]; i < hi[0]; ++i) {
-                const ptrdiff_t at = mesh_index(b, i, j, k);
                 if (differs) {
                     here = ice_side_at(s, b, axis, side, i, j, k);
                     rule = rule_of(s, here, axis, r, component, kind);
                 }
-                apply_rule(rule, a, at, out, b->n[axis]);
-                if (state && here->condition->kind == BC_RESERVOIR)
-                    ice_reservoir_ghosts(s, b, s->domain->fields[b->id], here, at, axis, side, r, kind, component, a);
+                apply_rule(rule, a, mesh_index(b, i, j, k), out, b->n[axis]);
             }
 }
 
-void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
+/* Then what flows in from outside, if the state there is known. */
+static void fill_inflow(const ice *s, const block *b, int axis, mesh_side side, int r, int component, ice_ghost kind,
+                        double *a)
+{
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    bc_layers(b, axis, side, 0, 0, lo, hi);
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) {
+                const ice_side_face *here = ice_side_at(s, b, axis, side, i, j, k);
+                if (ice_known_outside(here))
+                    ice_inflow_ghosts(s, b, s->domain->fields[b->id], here, mesh_index(b, i, j, k), axis, side, r, kind,
+                                      component, a);
+            }
+}
+
+typedef void side_filler(const ice *s, const block *b, int axis, mesh_side side, int r, int component, ice_ghost kind,
+                         double *a);
+
+/* All components of a field beyond all sides that have faces of some kind. */
+static void fill_sides(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind,
+                       bool (*some)(bc_kind kind), side_filler *fill)
 {
     const mesh *m = s->mesh;
     const int components = field_component_count(field_describe(id)->components, m->dim);
-    domain_fill(s->domain, id, instance, which);
     for (int block_id = 0; block_id < m->n_blocks; ++block_id) {
         const block *b = &m->block[block_id];
         const fields *f = s->domain->fields[block_id];
@@ -157,68 +167,67 @@ void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, 
             double *a = which == FILL_NEXT ? field_next(f, id, instance, c) : field_get(f, id, instance, c);
             for (int axis = 0; axis < m->dim; ++axis)
                 for (int side = 0; side < 2; ++side)
-                    if (b->at_side[axis][side] && !m->periodic[axis])
-                        fill_beyond(s, b, axis, (mesh_side)side, instance, c, kind, a);
+                    if (b->at_side[axis][side] && !m->periodic[axis] &&
+                        (!some || ice_side_has(s, axis, (mesh_side)side, some)))
+                        fill(s, b, axis, (mesh_side)side, instance, c, kind, a);
         }
     }
 }
 
-/* Sides through which fluid may come back from a reservoir of which it knows but the state. */
-static bool lets_back(bc_kind kind)
+/* Sides through which fluid of a known state may come in, as the flow turns. */
+static bool lets_in(bc_kind kind)
 {
-    return kind == BC_OUTLET || kind == BC_NON_REFLECTING;
+    return kind == BC_OUTLET || by_characteristics(kind);
 }
 
-/* Beyond an outlet or non-reflecting side through which fluid comes back lies the side's reservoir: its density and
- * energy enter. */
-static void fill_backflow(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r)
+static void fill_by_rules(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
 {
-    const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0;
-    double *rho = field_get(f, C_RHO, r, 0), *e = field_get(f, C_ENERGY, r, 0), *vol = field_get(f, C_VOL, r, 0);
-    const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
-    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
-    bc_layers(b, axis, side, 0, 0, lo, hi);
-    for (int k = lo[2]; k < hi[2]; ++k)
-        for (int j = lo[1]; j < hi[1]; ++j)
-            for (int i = lo[0]; i < hi[0]; ++i) {
-                const ice_side_face *here = ice_side_at(s, b, axis, side, i, j, k);
-                const bc_side *wall = here->condition;
-                if (!lets_back(wall->kind) || !(here->behind.rho > 0.0)) continue;
-                if (!shares_cells(s, r, wall->material)) continue; /* a membrane keeps it from this side */
-                const bool enters = s->material[r].scene_material == wall->material;
-                for (int n = 1; n <= MESH_GHOST; ++n) {
-                    const ptrdiff_t at = mesh_index(b, i, j, k) + n * out;
-                    if (!(inward * u[at] > 0.0)) continue;
-                    rho[at] = enters ? here->behind.rho : 0.0;
-                    if (enters) e[at] = here->behind.e;
-                    if (enters && vol) vol[at] = here->behind.v;
-                }
+    domain_fill(s->domain, id, instance, which);
+    fill_sides(s, id, instance, which, kind, NULL, fill_beyond);
+}
+
+static void fill_from_outside(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
+{
+    fill_sides(s, id, instance, which, kind, lets_in, fill_inflow);
+}
+
+void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
+{
+    const bool state = kind == GHOST_VELOCITY || kind == GHOST_DENSITY || kind == GHOST_ENERGY || kind == GHOST_VOLUME;
+    fill_by_rules(s, id, instance, which, kind);
+    if (state && !s->material[instance].points) fill_from_outside(s, id, instance, which, kind);
+}
+
+/* Which way the fluids flow is known when all have been filled by the rules. */
+void ice_fill_state(const ice *s, int first, int n)
+{
+    static const struct {
+        field_id id;
+        ice_ghost kind;
+    } state[] = {{C_RHO, GHOST_DENSITY}, {C_VEL, GHOST_VELOCITY}, {C_ENERGY, GHOST_ENERGY}, {C_VOL, GHOST_VOLUME}};
+    for (int from_outside = 0; from_outside < 2; ++from_outside)
+        for (int r = first; r < first + n; ++r)
+            for (int k = 0; k < 4; ++k) {
+                const bool points = s->material[r].points;
+                if ((state[k].id == C_ENERGY && points) || (state[k].id == C_VOL && ice_region_of(s, r)->n == 1))
+                    continue;
+                if (!from_outside)
+                    fill_by_rules(s, state[k].id, r, FILL_CURRENT, state[k].kind);
+                else if (!points)
+                    fill_from_outside(s, state[k].id, r, FILL_CURRENT, state[k].kind);
             }
 }
 
 floe_status ice_boundary_ghosts(ice *s)
 {
-    const mesh *m = s->mesh;
     TRY(ice_renew_sides(s));
+    ice_fill_state(s, 0, s->n_materials);
     for (int r = 0; r < s->n_materials; ++r) {
-        ice_fill_ghosts(s, C_RHO, r, FILL_CURRENT, GHOST_DENSITY);
-        ice_fill_ghosts(s, C_VEL, r, FILL_CURRENT, GHOST_VELOCITY);
-        if (!s->material[r].points) ice_fill_ghosts(s, C_ENERGY, r, FILL_CURRENT, GHOST_ENERGY);
-        if (s->material[r].points) {
-            ice_fill_ghosts(s, C_TEMP, r, FILL_CURRENT, GHOST_EVEN);
-            /* A state of rest that is solved for has no steps, and no acceleration of one. */
-            if (fields_has(s->domain->fields[0], C_STRESS_ACCEL, r))
-                ice_fill_ghosts(s, C_STRESS_ACCEL, r, FILL_CURRENT, GHOST_EVEN);
-        }
-        if (ice_region_of(s, r)->n > 1) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
-        for (int axis = 0; axis < m->dim; ++axis)
-            for (int side = 0; side < 2; ++side) {
-                if (m->periodic[axis] || s->material[r].points || !ice_side_has(s, axis, (mesh_side)side, lets_back))
-                    continue;
-                for (int id = 0; id < m->n_blocks; ++id)
-                    if (m->block[id].at_side[axis][side])
-                        fill_backflow(s, &m->block[id], s->domain->fields[id], axis, (mesh_side)side, r);
-            }
+        if (!s->material[r].points) continue;
+        ice_fill_ghosts(s, C_TEMP, r, FILL_CURRENT, GHOST_EVEN);
+        /* A state of rest that is solved for has no steps, and no acceleration of one. */
+        if (fields_has(s->domain->fields[0], C_STRESS_ACCEL, r))
+            ice_fill_ghosts(s, C_STRESS_ACCEL, r, FILL_CURRENT, GHOST_EVEN);
     }
     for (int g = 0; g < s->n_regions; ++g)
         if (s->region[g].n > 1) ice_fill_ghosts(s, C_PRESSURE, g, FILL_CURRENT, GHOST_EVEN);
@@ -254,7 +263,8 @@ static const bc_side *condition_at(const ice *s, const ice_view *v, int axis, me
 static double outlet_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
     const ice_fluid *m = &v->m[r];
-    const double phi = 0.5 * (1.0 + v->shock[at.cell]), given = condition_at(s, v, axis, side, at)->pressure;
+    const double phi = 0.5 * (1.0 + v->shock[at.cell]),
+                 given = ice_outlet_pressure(s, v, axis, side, at, v->p[at.cell]);
     const double theta = v->multi ? m->theta[at.cell] : 1.0,
                  mobility = m->rho[at.cell] > 0.0 ? theta / m->rho[at.cell] : 0.0;
     const double gradient = at.outward * (given - v->p[at.cell]) * 2.0 * v->inv_h[axis];
@@ -271,7 +281,8 @@ static void set_side_mobility(const ice *s, const ice_view *v, int axis, mesh_si
     m->mobility[axis][at.face] = gives ? 2.0 * (v->multi ? m->theta[at.cell] : 1.0) / m->rho[at.cell] : 0.0;
     if (!gives) return;
     const double now = 0.5 * (1.0 + v->shock[at.cell]), change = ice_implicit_phi(v, now) - now;
-    const double gradient = at.outward * (wall->pressure - v->p[at.cell]) * v->inv_h[axis];
+    const double gradient =
+        at.outward * (ice_outlet_pressure(s, v, axis, side, at, v->p[at.cell]) - v->p[at.cell]) * v->inv_h[axis];
     m->fu[axis][at.face] += change * v->dt * (v->gravity[axis] - m->mobility[axis][at.face] * gradient);
 }
 
@@ -321,7 +332,9 @@ static void set_side_pressure(const ice *s, const ice_view *v, int axis, mesh_si
     (void)r;
     if (v->traced && (!v->alone || v->alone[at.cell] > 0.0) && (ice_is_wall(wall->kind) || wall->kind == BC_FREE))
         return; /* by the waves between cell and ghost */
-    if (wall->kind == BC_OUTLET || ice_enters_supersonic(s, here, axis, side))
+    if (wall->kind == BC_OUTLET)
+        v->fp[axis][at.face] = ice_outlet_pressure(s, v, axis, side, at, v->P[at.cell]);
+    else if (ice_enters_supersonic(s, here, axis, side))
         v->fp[axis][at.face] = wall->pressure;
     else if (wall->kind == BC_FREE)
         v->fp[axis][at.face] = v->P[at.cell];

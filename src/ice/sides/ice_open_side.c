@@ -3,11 +3,13 @@
  *     R = p + z u leaves, carried from the cell to the face at half the step,     Q = p - z u enters,
  * and the side says what enters: at a non-reflecting side (locally one-dimensional, Hedstrom 1979) the Q of the state
  * far outside; at a reservoir, flow and pressure lie on the isentrope from its state at rest, u^2/2 = integral of
- * dp/rho.
+ * dp/rho. So does what comes back through an outlet: at the outlet's own pressure it would bring its motion as
+ * a gift, more of it the faster it came.
  *
  * (Measured on a pulse of sound: Q of the cell instead, drawn to the outside as in Poinsot & Lele 1992, sends back 1 to
  * 3 per cent, and falls with less than the first power of the cell's size, since Q then feeds on its own errors.) */
 #include "ice/sides/ice_open_side.h"
+#include "ice/state/ice_materials.h"
 
 #include <math.h>
 
@@ -80,21 +82,53 @@ static ice_side_state from_reservoir(const ice *s, const ice_side_face *here, do
     return (ice_side_state){p, -w};
 }
 
-/* Beyond a face with a reservoir, the state that flows in at the speed of the cell beside it; where that leaves,
- * nothing is changed. */
-void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, const ice_side_face *here, ptrdiff_t at,
-                          int axis, mesh_side side, int r, ice_ghost kind, int component, double *a)
+bool ice_shares_cells(const ice *s, int r, int side_material)
+{
+    const int brought = ice_material_of(s, side_material);
+    return brought < 0 ? !s->cut : ice_region_of(s, r) == ice_region_of(s, brought);
+}
+
+bool ice_known_outside(const ice_side_face *here)
+{
+    const bc_kind kind = here->condition->kind;
+    return here->behind.rho > 0.0 && (kind == BC_RESERVOIR || kind == BC_OUTLET || kind == BC_NON_REFLECTING);
+}
+
+bool ice_rests_behind(const ice_side_face *here)
+{
+    return ice_known_outside(here) && here->condition->kind != BC_NON_REFLECTING;
+}
+
+/* Speed of the flow into the domain: of all fluids of the cell, so that one answer holds for all of them. */
+static double speed_inward(const ice *s, const fields *f, ptrdiff_t at, int axis, mesh_side side, int r)
+{
+    double mass = 0.0, momentum = 0.0;
+    for (int q = 0; q < s->n_materials; ++q) {
+        if (s->material[q].points || ice_region_of(s, q) != ice_region_of(s, r)) continue;
+        const double rho = field_get(f, C_RHO, q, 0)[at];
+        mass += rho;
+        momentum += rho * field_get(f, C_VEL, q, axis)[at];
+    }
+    return mass > 0.0 ? (side == SIDE_LOWER ? momentum : -momentum) / mass : 0.0;
+}
+
+/* Where flow leaves, nothing is changed. */
+void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_side_face *here, ptrdiff_t at, int axis,
+                       mesh_side side, int r, ice_ghost kind, int component, double *a)
 {
     const bc_side *wall = here->condition;
-    if (s->material[r].scene_material != wall->material) return;
-    const eos *law = &s->material[r].eos;
-    const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0;
-    const double speed = fmin(inward * u[at], sound_speed_behind(law, &here->behind));
+    const bool enters = s->material[r].scene_material == wall->material, rests = ice_rests_behind(here);
+    if (enters ? kind == GHOST_VELOCITY && !rests : kind != GHOST_DENSITY || !ice_shares_cells(s, r, wall->material))
+        return;
+    const eos *law = &s->material[ice_material_of(s, wall->material)].eos;
+    const double inward = side == SIDE_LOWER ? 1.0 : -1.0,
+                 speed = fmin(speed_inward(s, f, at, axis, side, r), sound_speed_behind(law, &here->behind));
     const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
     if (!(speed > 0.0)) return;
-    double value = component == axis ? inward * speed : 0.0;
-    if (kind != GHOST_VELOCITY) {
-        const ice_reservoir now = expand_isentropically(law, wall->pressure, &here->behind, speed);
+    double value = kind == GHOST_VELOCITY && component == axis ? inward * speed : 0.0;
+    if (enters && kind != GHOST_VELOCITY) {
+        const ice_reservoir now =
+            rests ? expand_isentropically(law, wall->pressure, &here->behind, speed) : here->behind;
         value = kind == GHOST_DENSITY ? now.rho : kind == GHOST_ENERGY ? now.e : kind == GHOST_VOLUME ? now.v : now.T;
     }
     for (int n = 1; n <= MESH_GHOST; ++n) a[at + n * out] = value;
@@ -108,6 +142,25 @@ bool ice_enters_supersonic(const ice *s, const ice_side_face *here, int axis, me
     const double speed = side == SIDE_LOWER ? wall->velocity[axis] : -wall->velocity[axis];
     if (wall->kind != BC_INLET || !(here->behind.rho > 0.0) || !(speed > 0.0)) return false;
     return speed >= sound_speed_behind(&s->material[ice_material_of(s, wall->material)].eos, &here->behind);
+}
+
+static double sound_of_cell(const ice_view *v, ptrdiff_t c)
+{
+    return v->multi ? 1.0 / sqrt(v->rho_sum[c] * v->kappa_sum[c]) : v->m[0].c[c];
+}
+
+double ice_outlet_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at, double inside)
+{
+    const ice_side_face *here = ice_side_at(s, v->b, axis, side, at.i, at.j, at.k);
+    const double out = at.outward * v->mean[axis][at.cell], given = here->condition->pressure;
+    if (out > 0.0) return out < sound_of_cell(v, at.cell) ? given : inside;
+    if (!(out < 0.0) || !ice_rests_behind(here)) return given;
+    const eos *law = &s->material[ice_material_of(s, here->condition->material)].eos;
+    const ice_reservoir now =
+        expand_isentropically(law, given, &here->behind, fmin(-out, sound_speed_behind(law, &here->behind)));
+    double p, c2;
+    law->model->pressure(law->par, 1, &now.rho, &now.e, &p, &c2);
+    return p;
 }
 
 /* Mean of z between a cell and the pressure outside, along the isentrope: what a wave of finite strength meets. */
@@ -128,8 +181,7 @@ ice_side_state ice_characteristic(const ice *s, const ice_view *v, int axis, mes
     const ice_side_face *here = ice_side_at(s, v->b, axis, side, at.i, at.j, at.k);
     const bc_side *wall = here->condition;
     const ptrdiff_t c = at.cell, in = c - (side == SIDE_LOWER ? -1 : 1) * v->b->stride[axis];
-    const double rho = v->rho_sum[c], sound = v->multi ? 1.0 / sqrt(rho * v->kappa_sum[c]) : v->m[0].c[c],
-                 z = rho * sound;
+    const double rho = v->rho_sum[c], sound = sound_of_cell(v, c), z = rho * sound;
     const double u = at.outward * v->mean[axis][c], h = v->h[axis];
     const double weight = rho * at.outward * v->gravity[axis] * h; /* hydrostatic difference of a cell */
     const double smooth = v->limit_hi * (1.0 - v->shock[c]), courant = fmin(fmax((u + sound) * v->dt / h, 0.0), 1.0);

@@ -5,11 +5,20 @@
 #include "ice/sides/ice_side_table.h"
 #include "ice/sides/ice_sides.h"
 
-/* What a reservoir sends into the ghosts beyond one face (of kind velocity, density, energy, volume); `at`: the owned cell. */
-void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, const ice_side_face *here, ptrdiff_t at,
-                          int axis, mesh_side side, int r, ice_ghost kind, int component, double *a);
+/* Whether a material is in the region of the one that a side brings: the density beyond the side is then none of its own. */
+bool ice_shares_cells(const ice *s, int r, int side_material);
+/* Whether fluid of a known state lies outside a face of an outlet, a reservoir or a non-reflecting side, and whether it is at rest. */
+bool ice_known_outside(const ice_side_face *here);
+bool ice_rests_behind(const ice_side_face *here);
+/* What a known fluid outside sends into the ghosts beyond one face (of kind velocity, density, energy, volume), where the cell's fluids
+ * flow in; `at`: the owned cell. Their densities and velocities have been filled, so that all fluids and arrays agree on the direction. */
+void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_side_face *here, ptrdiff_t at, int axis,
+                       mesh_side side, int r, ice_ghost kind, int component, double *a);
 /* Whether nothing of what is inside reaches the face of an inlet: the fluid enters faster than its sound. */
 bool ice_enters_supersonic(const ice *s, const ice_side_face *here, int axis, mesh_side side);
+/* Pressure on a face of an outlet: the given one; of fluid that comes back from rest outside, that of its speed;
+ * `inside`, a pressure of the cell, where the fluid leaves faster than its sound, so that nothing from outside reaches it. */
+double ice_outlet_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at, double inside);
 /* Pressure and outward velocity on a face of a non-reflecting side or of a reservoir. */
 typedef struct ice_side_state {
     double pressure, velocity;

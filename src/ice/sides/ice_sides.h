@@ -20,6 +20,8 @@ typedef enum ice_ghost {
 } ice_ghost;
 /* instance: of the field, a region's number or a material's. */
 void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind);
+/* The same of density, velocity, energy and volume of materials [first, first + n). */
+void ice_fill_state(const ice *s, int first, int n);
 /* Sets ghost faces of F_VEL, so that the outflow of ghost cells is known. */
 void ice_fill_faces(const ice *s, field_id id, int instance);
 bool ice_is_wall(bc_kind kind);
