@@ -3,6 +3,8 @@
 #include "base/wrapped.h"
 #include "cli/cli.h"
 
+#include <math.h>
+
 static error_t parse_check_option(int key, char *arg, struct argp_state *state)
 {
     return cli_deck_option(state->input, key, arg, state);
@@ -31,8 +33,9 @@ static void print_deck(const cli_deck *d, const floe_description *of)
 static void print_start(const floe_description *of, const floe_start *start)
 {
     if (start->ready)
-        printf("ready to run: %zu point%s, first step %.3g%s, about %.0f steps\n", start->points,
-               start->points == 1 ? "" : "s", start->step, of->dimensionless ? "" : " s", start->steps);
+        printf("ready to run: %zu point%s, first step %.3g%s, about %.0f step%s\n", start->points,
+               start->points == 1 ? "" : "s", start->step, of->dimensionless ? "" : " s", start->steps,
+               nearbyint(start->steps) == 1.0 ? "" : "s");
     else
         wrapped_printf(
             stdout,
