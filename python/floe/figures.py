@@ -195,6 +195,13 @@ def _short(text: str, most: int = 46) -> str:
     return text if len(text) <= most else text[:most - 1] + "…"
 
 
+def _label(axes, x: float, y: float, text: str) -> None:
+    """A text beside a point, on the side where the panel has room for all of it."""
+    across = axes.transAxes.inverted().transform(axes.transData.transform((x, y)))[0]
+    right = across < 0.85
+    axes.annotate(text, (x, y), xytext=(5 if right else -5, 4), ha="left" if right else "right", textcoords="offset points", fontsize=9, parse_math=False)
+
+
 def _draw_panel(axes, panel: Panel) -> int:
     """Draws a panel; returns the number of names in its key."""
     fine = [(k, one, drawable(panel, one)) for k, one in enumerate(panel.series)]
@@ -217,7 +224,7 @@ def _draw_panel(axes, panel: Panel) -> int:
         gaps = numpy.where(mask, one.y, math.nan)
         axes.plot(one.x, gaps, label=_short(one.name) if one.name else "_", **_style(one, k))
         for x, y, text in zip(one.x[mask], one.y[mask], [one.labels[i] for i in numpy.nonzero(mask)[0]] if one.labels else []):
-            axes.annotate(_short(text, 20), (x, y), xytext=(5, 4), textcoords="offset points", fontsize=9, parse_math=False)
+            _label(axes, x, y, _short(text, 20))
     return sum(bool(one.name) for _, one, _ in shown)
 
 

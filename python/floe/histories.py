@@ -25,7 +25,7 @@ GROUPS = [
     Group("energies", "Energy", ("kinetic", "strain", "internal"), "energy"),
     Group("materials", "Energy by material", ("kinetic_", "strain_", "internal_"), "energy"),
     Group("pressure", "Mean pressure of the fluids", ("pressure_",), "pressure"),
-    Group("centre", "Centres of the bodies", ("centre_",), "place"),
+    Group("centre", "Centres of the bodies", ("centre_",), "position"),
     Group("velocity", "Mean velocity of the bodies", ("velocity_",), "velocity"),
     Group("momentum", "Momentum", ("momentum_",), "momentum"),
     Group("angular", "Angular momentum of the bodies", ("angular_momentum_",), "angular momentum"),

@@ -52,9 +52,10 @@ class Parameter:
 class Batch:
     """Points that a law of solids is asked about, always in three dimensions; arrays are floe's, their last axis counts the points.
 
-    dt: s, the step; L (3, 3, n): 1/s, velocity gradient; F (3, 3, n): deformation gradient at the end of the step (with `needs_F`); J, J_old (n):
+    dt: s, the step (1 in static and implicit steps, without `needs_time`); L (3, 3, n): 1/s, velocity gradient; F (3, 3, n): deformation gradient at the end of the step (with `needs_F`); J, J_old (n):
     volume over that at rest at the end and at the start; rho0 (n): kg/m3; stress (6, n): Pa, xx yy zz xy yz zx, tension positive: start in, end
-    out; energy (n): J/kg, in and out (with `has_energy`); q (n): Pa, artificial viscous pressure; history (k, n): the law's own numbers, in and out."""
+    out; energy (n): J/kg, in and out (with `has_energy`); q (n): Pa, artificial viscous pressure; history (k, n): the law's own numbers, in and out.
+    With `needs_temperature`, of the start of the step: temperature (n): K; heat (n): J/kg, specific heat times the temperature over that without stress."""
 
     def __init__(self, address: int):
         numbers = numpy.frombuffer((ctypes.c_double * (ctypes.sizeof(library.SolidBatch) // 8)).from_address(address))
@@ -79,6 +80,8 @@ class SolidLaw(_Law):
     """A law of solids. `par` has the deck's parameters as attributes. `stress`, `wave_speed`, `bulk_modulus` and `shear_modulus` are needed."""
     needs_F: bool = False                       #: the deformation gradient is kept; without it only its determinant is
     has_energy: bool = False                    #: internal energy is state of the points
+    needs_temperature: bool = False             #: points have a temperature, which the stress depends on; the material has a specific_heat
+    needs_time: bool = False                    #: the stress depends on rates: batch.dt is the deck's time also in static and implicit steps
     history: Mapping[str, tuple[str, str]] = {}  #: name: (unit, one line), at most 24
 
     def stress(self, par, batch: Batch) -> int | None:
@@ -196,7 +199,8 @@ class Registered:
 
     def _solid(self) -> None:
         law, s = self.law, self.struct
-        s.needs = (library.NEEDS_F if law.needs_F else 0) | (library.HAS_ENERGY if law.has_energy else 0)
+        s.needs = sum(bit for bit, needed in ((library.NEEDS_F, law.needs_F), (library.HAS_ENERGY, law.has_energy),
+                                              (library.NEEDS_TEMPERATURE, law.needs_temperature), (library.NEEDS_TIME, law.needs_time)) if needed)
         s.history = (library.History * max(1, len(law.history)))(*(library.History(name.encode(), unit.encode(), doc.encode())
                                                                    for name, (unit, doc) in law.history.items()))
         s.n_history = len(law.history)

@@ -109,7 +109,7 @@ class History(Structure):
     _fields_ = [("name", c_char_p), ("unit", c_char_p), ("doc", c_char_p)]
 
 
-NEEDS_F, HAS_ENERGY = 1, 2
+NEEDS_F, HAS_ENERGY, NEEDS_TEMPERATURE, NEEDS_TIME = 1, 2, 4, 8
 _STATES = [c_void_p, c_size_t] + 4 * [c_void_p]  # par, n, and four arrays
 STRESS = CFUNCTYPE(c_size_t, c_void_p, c_double, c_void_p)
 WAVE_SPEED = CFUNCTYPE(None, c_void_p, c_double, c_void_p, c_void_p)

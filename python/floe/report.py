@@ -152,6 +152,14 @@ def _sentence(text: str) -> str:
     return text[:1].upper() + text[1:] + "."
 
 
+def _answer(one: dict, cases: CaseList) -> str:
+    """What to choose for a level of error, which is named in the unit of the errors beside it: 50 kPa, not 50000 Pa."""
+    target = number_of(one.get("target"))
+    text, metric = str(one.get("text", "")), str(one.get("metric", ""))
+    level, words, rest = text.partition(f" in {metric} ")
+    return _sentence(f"for {cases.error_text(metric, target)}{words}{rest}" if words and level.startswith("for ") and math.isfinite(target) else text)
+
+
 def _verdicts(told: dict, cases: CaseList) -> list[dict]:
     """What a person wants first, of each metric: the least error, and what to choose for a level of error."""
     answers, out = (told.get("timing") or {}).get("answers") or [], []
@@ -161,7 +169,7 @@ def _verdicts(told: dict, cases: CaseList) -> list[dict]:
         reached = [one for one in own if isinstance(one.get("best"), str)]
         out.append({"metric": metric, "least": cases.error_text(metric, best.error(metric)) if best else "",
                     "by": cases.title(best) if best else "", "time": units.seconds(best.cpu) if best else "",
-                    "answers": [_sentence(str(one.get("text", ""))) for one in own], "short": [_sentence(str(one.get("text", ""))) for one in reached[-1:]]})
+                    "answers": [_answer(one, cases) for one in own], "short": [_answer(one, cases) for one in reached[-1:]]})
     return out
 
 

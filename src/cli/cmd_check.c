@@ -1,5 +1,9 @@
 /* floe check DECK */
+#include "base/text.h"
+#include "base/wrapped.h"
 #include "cli/cli.h"
+
+#include <math.h>
 
 static error_t parse_check_option(int key, char *arg, struct argp_state *state)
 {
@@ -19,20 +23,24 @@ static const struct argp argp = {
 
 static void print_deck(const cli_deck *d, const floe_description *of)
 {
-    printf("%s: deck is valid: %s%s%d-D, ", d->path, of->title, of->title[0] ? ", " : "", of->dimension);
-    for (int a = 0; a < of->dimension; a++) printf("%s%.0f", a ? " x " : "", of->cells[a]);
-    printf(" cells, %d material%s, %d bod%s, coupling %s\n", of->materials, of->materials == 1 ? "" : "s", of->bodies,
-           of->bodies == 1 ? "y" : "ies", of->coupling);
+    char cells[64] = "";
+    for (int a = 0; a < of->dimension; a++) text_add(cells, sizeof cells, "%s%.0f", a ? " x " : "", of->cells[a]);
+    wrapped_printf(stdout, "%s: deck is valid: %s%s%d-D, %s cells, %d material%s, %d bod%s, coupling %s\n", d->path,
+                   of->title, of->title[0] ? ", " : "", of->dimension, cells, of->materials,
+                   of->materials == 1 ? "" : "s", of->bodies, of->bodies == 1 ? "y" : "ies", of->coupling);
 }
 
 static void print_start(const floe_description *of, const floe_start *start)
 {
     if (start->ready)
-        printf("ready to run: %zu points, first step %.3g%s, about %.0f steps\n", start->points, start->step,
-               of->dimensionless ? "" : " s", start->steps);
+        printf("ready to run: %zu point%s, first step %.3g%s, about %.0f step%s\n", start->points,
+               start->points == 1 ? "" : "s", start->step, of->dimensionless ? "" : " s", start->steps,
+               nearbyint(start->steps) == 1.0 ? "" : "s");
     else
-        printf("not made ready, as it has %.3g cells (%.0e at most): `floe plan` does, and says what memory it takes\n",
-               start->cells, start->most_cells);
+        wrapped_printf(
+            stdout,
+            "not made ready, as it has %.3g cells (%.0e at most): `floe plan` does, and says what memory it takes\n",
+            start->cells, start->most_cells);
 }
 
 int cmd_check(cli *c, int argc, char **argv)

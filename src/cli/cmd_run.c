@@ -1,4 +1,5 @@
 /* floe run DECK */
+#include "base/wrapped.h"
 #include "cli/tolerance_cli.h"
 
 #include <math.h>
@@ -94,7 +95,7 @@ static void print_result(const floe_run *r, bool dimensionless, const char *dir)
         printf("%s: %.6g\n", metric, floe_value(r, name));
     }
     printf("results: %s (fields.xdmf opens in ParaView with its XDMF Reader)\n", dir);
-    if (floe_text(r, "notes")[0]) printf("note: %s\n", floe_text(r, "notes"));
+    if (floe_text(r, "notes")[0]) wrapped_printf(stdout, "note: %s\n", floe_text(r, "notes"));
 }
 
 /* Runs the deck, and says what it has come to. */
@@ -112,7 +113,7 @@ static int run_deck(cli *c, arguments *a, floe_deck *deck)
     if (status == FLOE_OK && !a->quiet) print_result(run, of.dimensionless, a->options.directory);
     /* Of a quiet run only what makes its answer doubtful. */
     if (status == FLOE_OK && a->quiet && strstr(floe_text(run, "notes"), "WARNING"))
-        (void)fprintf(stderr, "floe: %s\n", floe_text(run, "notes"));
+        wrapped_printf(stderr, "floe: %s\n", floe_text(run, "notes"));
     floe_run_destroy(&run);
     return cli_end(c, status);
 }

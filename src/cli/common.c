@@ -1,4 +1,5 @@
 /* What the commands share. */
+#include "base/wrapped.h"
 #include "cli/cli.h"
 
 #include <ctype.h>
@@ -8,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+enum { CLI_MESSAGE = 16384, DECK_MARGIN = 7 };
 
 static const char *red_escape(const cli *c)
 {
@@ -21,18 +24,18 @@ static const char *plain_escape(const cli *c)
 
 void cli_error(const cli *c, const char *format, ...)
 {
+    char text[CLI_MESSAGE];
     va_list arguments;
     va_start(arguments, format);
-    (void)fprintf(stderr, "floe: %serror:%s ", red_escape(c), plain_escape(c));
-    (void)vfprintf(stderr, format, arguments);
-    (void)fprintf(stderr, "\n");
+    (void)vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    wrapped_printf(stderr, "floe: %serror:%s %s\n", red_escape(c), plain_escape(c), text);
 }
 
 static int fail_with(const cli *c, floe_status status, const char *message)
 {
     if (status == FLOE_INTERRUPTED) {
-        (void)fprintf(stderr, "floe: %s\n", message);
+        wrapped_printf(stderr, "floe: %s\n", message);
     } else {
         cli_error(c, "%s", message[0] ? message : status_text(status));
     }
@@ -54,7 +57,7 @@ static void print_line(const cli *c, bool is_error, bool is_warning, const char 
     if (is_error) {
         cli_error(c, "%s", line);
     } else if (is_warning && !c->quiet) {
-        (void)fprintf(stderr, "floe: warning: %s\n", line);
+        wrapped_printf(stderr, "floe: warning: %s\n", line);
     }
 }
 
@@ -74,17 +77,31 @@ floe_status cli_load(const cli *c, const cli_deck *d, bool axes, floe_deck **out
                 : floe_load(c->floe, d->path, d->set, d->n_set, out);
 }
 
+/* A line of what is wrong with a deck, the word "error:" in colour on a terminal. Lines of the deck stay whole. */
+static void print_refusal_line(const cli *c, const char *line, int length)
+{
+    static const char word[] = "error:";
+    const char *at = strstr(line, word);
+    if (length > DECK_MARGIN && line[DECK_MARGIN] == '|') {
+        (void)fprintf(stderr, "%.*s\n", length, line);
+    } else if (at && at < line + length) {
+        const int before = (int)(at - line), after = length - before - (int)strlen(word);
+        wrapped_printf(stderr, "%.*s%s%s%s%.*s\n", before, line, red_escape(c), word, plain_escape(c), after,
+                       at + strlen(word));
+    } else {
+        wrapped_printf(stderr, "%.*s\n", length, line);
+    }
+}
+
 /* The errors of a deck, the word "error:" in colour on a terminal; the last line says how many there are. */
 int cli_refused(const cli *c, floe_status status)
 {
-    static const char word[] = "error:";
     const char *text = floe_message(c->floe), *last = strrchr(text, '\n');
     if (!last) return cli_end(c, status);
-    for (const char *at = strstr(text, word); at && at < last; at = strstr(text, word)) {
-        (void)fprintf(stderr, "%.*s%s%s%s", (int)(at - text), text, red_escape(c), word, plain_escape(c));
-        text = at + strlen(word);
+    for (const char *end; text < last; text = end + 1) {
+        end = strchr(text, '\n');
+        print_refusal_line(c, text, (int)(end - text));
     }
-    (void)fprintf(stderr, "%.*s", (int)(last + 1 - text), text);
     return fail_with(c, status, last + 1);
 }
 

@@ -85,8 +85,6 @@ floe_status deck_load_text(scene **out, context *ctx, const char *path, const ch
  * deck. A single run takes nothing of them, and batches look at each of their cases. */
 floe_status deck_check(scene **out, context *ctx, const char *path, const deck_overrides *set,
                        const deck_catalogue *catalogue, deck_report *report);
-floe_status deck_check_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
-                            const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report);
 
 /* The texts below are counted memory that the caller frees with memory_free. */
 

@@ -4,7 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LINE_SHOWN = 110 }; /* characters of a source line that are shown */
+/* Characters of a source line that are shown: with the number of the line and "..." on both sides 80 columns. */
+enum { LINE_SHOWN = 65 };
 
 struct deck_error {
     deck_error *next;

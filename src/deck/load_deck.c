@@ -176,14 +176,6 @@ floe_status deck_load_text(scene **out, context *ctx, const char *path, const ch
     return load_text(out, &source, set, report);
 }
 
-floe_status deck_check_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
-                            const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report)
-{
-    deck_source source = {
-        .ctx = ctx, .path = path, .text = text, .length = length, .catalogue = catalogue, .axes = true};
-    return load_text(out, &source, set, report);
-}
-
 static floe_status refuse_unreadable(context *ctx, const char *path, const char *special)
 {
     if (special)

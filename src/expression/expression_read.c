@@ -79,11 +79,13 @@ static bool read_arguments(formula_reader *r, const char *name, size_t length, i
 static bool refuse_name(formula_reader *r, const char *name, size_t length)
 {
     const expression_scope *scope = r->words.scope;
+    const bool named = scope->n_constants + scope->n_functions > 0;
     char known[80] = "";
     for (int a = 0; a < 3 && scope->axis[a]; ++a)
         snprintf(known + strlen(known), sizeof known - strlen(known), "%s, ", scope->axis[a]);
-    return words_refuse(&r->words, name, "'%.*s' is not known; there are %st, pi, %sand functions", (int)length, name,
-                        known, scope->n_constants + scope->n_functions > 0 ? "the deck's constants and tables, " : "");
+    return words_refuse(&r->words, name, "'%.*s' is not known; there are %st, pi, %sfunctions%s", (int)length, name,
+                        known, named ? "the deck's constants and tables, and " : "and ",
+                        named ? "" : "; constants of your own have a section in the deck, 'constants'");
 }
 
 static bool read_name(formula_reader *r, size_t length)

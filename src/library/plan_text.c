@@ -1,6 +1,8 @@
 #include "library/plan.h"
 
 #include "base/context.h"
+#include "base/text.h"
+#include "base/wrapped.h"
 #include "sim/interface.h"
 
 #include <math.h>
@@ -72,39 +74,40 @@ static void print_head(const plan *p, FILE *file)
     const mesh *m = &p->sim->mesh;
     char geometry[64];
     plan_geometry(p, geometry);
-    (void)fprintf(file, "%s as %s: %s, mesh of ", p->scene->path, coupling_name(p->sim->coupling), geometry);
-    for (int a = 0; a < m->dim; a++) (void)fprintf(file, "%s%.0f", a ? " x " : "", plan_cells(p, a));
-    (void)fprintf(file, " cells of %g m, %.9g points, %.9g cells with fields\n", m->h[0] / p->coarser,
-                  nearbyint(p->ratio * (double)p->info.points), nearbyint(p->ratio * (double)p->info.cells));
+    char cells[64] = "";
+    for (int a = 0; a < m->dim; a++) text_add(cells, sizeof cells, "%s%.0f", a ? " x " : "", plan_cells(p, a));
+    wrapped_printf(file, "%s as %s: %s, mesh of %s cells of %g m, %.9g points, %.9g cells with fields\n",
+                   p->scene->path, coupling_name(p->sim->coupling), geometry, cells, m->h[0] / p->coarser,
+                   nearbyint(p->ratio * (double)p->info.points), nearbyint(p->ratio * (double)p->info.cells));
     if (p->ratio != 1.0)
-        (void)fprintf(file, "described from the same scene on %zu cells; numbers and bytes are estimates\n",
-                      mesh_cells(m));
+        wrapped_printf(file, "described from the same scene on %zu cells; numbers and bytes are estimates\n",
+                       mesh_cells(m));
     if (p->sim->mpm) {
-        (void)fprintf(file, "solver: %s\n", p->sim->solver_reason);
-        if (interface_in_words(p->sim)[0]) (void)fprintf(file, "interface: %s\n", interface_in_words(p->sim));
-        if (p->sim->substeps_reason[0]) (void)fprintf(file, "sub-steps: %s\n", p->sim->substeps_reason);
-        (void)fprintf(file, "kernels of the points: %s basis, %s; %s\n", p->sim->mpm->basis->name, geometry,
-                      p->scene->method.stress == STRESS_USF   ? "stress first"
-                      : p->scene->method.stress == STRESS_USL ? "stress last"
-                                                              : "stress last, velocities mapped again");
+        wrapped_printf(file, "solver: %s\n", p->sim->solver_reason);
+        if (interface_in_words(p->sim)[0]) wrapped_printf(file, "interface: %s\n", interface_in_words(p->sim));
+        if (p->sim->substeps_reason[0]) wrapped_printf(file, "sub-steps: %s\n", p->sim->substeps_reason);
+        wrapped_printf(file, "kernels of the points: %s basis, %s; %s\n", p->sim->mpm->basis->name, geometry,
+                       p->scene->method.stress == STRESS_USF   ? "stress first"
+                       : p->scene->method.stress == STRESS_USL ? "stress last"
+                                                               : "stress last, velocities mapped again");
     }
     if (p->sim->mpm && mpm_edge_penalty(p->sim->mpm) > 0.0)
         (void)fprintf(file, "edges of solids: ghost penalty %g\n", mpm_edge_penalty(p->sim->mpm));
     if (p->sim->ice) {
         (void)fprintf(file, "kernels of the cells: %s, %d material%s\n", geometry, p->sim->ice->n_materials,
                       p->sim->ice->n_materials == 1 ? "" : "s");
-        if (p->sim->pressure_reason[0]) (void)fprintf(file, "pressure: %s\n", p->sim->pressure_reason);
+        if (p->sim->pressure_reason[0]) wrapped_printf(file, "pressure: %s\n", p->sim->pressure_reason);
     }
 }
 
 static void print_list(const char *what, const stage_fields *list, FILE *file)
 {
-    int n = 0;
+    char text[4096] = "";
     for (int k = 0; k < list->n; k++) {
         if (list->id[k] == STAGE_NONE) continue;
-        (void)fprintf(file, "%s%s", n++ ? " " : what, plan_field_id((field_id)list->id[k]));
+        text_add(text, sizeof text, "%s%s", text[0] ? " " : what, plan_field_id((field_id)list->id[k]));
     }
-    if (n > 0) (void)fprintf(file, "\n");
+    if (text[0]) wrapped_printf(file, "%s\n", text);
 }
 
 static void print_stages(const stage_list *stages, FILE *file)
@@ -119,13 +122,13 @@ static void print_stages(const stage_list *stages, FILE *file)
 
 static void print_planned_fields(const plan *p, FILE *file)
 {
-    (void)fprintf(file, "\n%-22s %-28s %-7s %-10s %-8s %5s %12s\n", "field", "name", "on", "class", "unit", "count",
+    (void)fprintf(file, "\n%-19s %-24s %-6s %-7s %-6s %5s %7s\n", "field", "name", "on", "class", "unit", "count",
                   "bytes");
     for (int id = 0; id < FIELD_COUNT; id++) {
         const field_info *info = field_describe((field_id)id);
         const int n = plan_field_instances(p, (field_id)id);
         if (n == 0) continue;
-        (void)fprintf(file, "%-22s %-28s %-7s %-10s %-8s %5d %12llu\n", plan_field_id((field_id)id), info->name,
+        (void)fprintf(file, "%-19s %-24s %-6s %-7s %-6s %5d %7llu\n", plan_field_id((field_id)id), info->name,
                       plan_centring(info->centring), plan_class(info->class), info->unit,
                       n * field_component_count(info->components, p->sim->mesh.dim),
                       (unsigned long long)plan_field_bytes(p, (field_id)id));
@@ -136,14 +139,12 @@ static void print_memory(const plan *p, FILE *file)
 {
     const memory_need *n = &p->need;
     const double gigabyte = 1e9;
-    (void)fprintf(file, "memory: %.3g GB, and %.3g GB more while an output is written", n->bytes / gigabyte,
-                  n->output_bytes / gigabyte);
-    if (isinf(n->available)) {
-        (void)fprintf(file, "; what this machine has is not known\n");
-        return;
-    }
-    (void)fprintf(file, "; this machine has %.3g GB available: %s\n", n->available / gigabyte,
-                  n->fits ? "it fits" : "it does not fit");
+    char machine[64] = "what this machine has is not known";
+    if (!isinf(n->available))
+        (void)snprintf(machine, sizeof machine, "this machine has %.3g GB available: %s", n->available / gigabyte,
+                       n->fits ? "it fits" : "it does not fit");
+    wrapped_printf(file, "memory: %.3g GB, and %.3g GB more while an output is written; %s\n", n->bytes / gigabyte,
+                   n->output_bytes / gigabyte, machine);
     if (!n->fits)
         (void)fprintf(file, "        %.3g cells would fit: domain.cell %.2g or more\n", n->fitting_cells,
                       p->sim->mesh.h[0] / p->coarser *
@@ -153,13 +154,12 @@ static void print_memory(const plan *p, FILE *file)
 static void print_disk(const disk_need *n, FILE *file)
 {
     const double gigabyte = 1e9;
-    (void)fprintf(file, "disk: about %.3g GB, of %.0f snapshots and three checkpoints", n->bytes / gigabyte,
-                  n->snapshots);
-    if (isinf(n->available))
-        (void)fprintf(file, "; what is free here is not known\n");
-    else
-        (void)fprintf(file, "; %.3g GB are free here: %s\n", n->available / gigabyte,
-                      n->fits ? "they fit" : "they do not fit");
+    char here[64] = "what is free here is not known";
+    if (!isinf(n->available))
+        (void)snprintf(here, sizeof here, "%.3g GB are free here: %s", n->available / gigabyte,
+                       n->fits ? "they fit" : "they do not fit");
+    wrapped_printf(file, "disk: about %.3g GB, of %.0f snapshots and three checkpoints; %s\n", n->bytes / gigabyte,
+                   n->snapshots, here);
 }
 
 floe_status plan_print_text(const plan *p, FILE *file)
@@ -175,7 +175,7 @@ floe_status plan_print_text(const plan *p, FILE *file)
         p->need.bytes - p->ratio * (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes), p->need.bytes / 1e6);
     print_memory(p, file);
     print_disk(&p->disk, file);
-    (void)fprintf(file, "first step: %.4g%s, limited by %s; about %.0f steps to t = %g%s\n", plan_step(p), unit,
-                  i->dt_reason, plan_steps(p), p->scene->time.end, unit);
+    wrapped_printf(file, "first step: %.4g%s, limited by %s; about %.0f steps to t = %g%s\n", plan_step(p), unit,
+                   i->dt_reason, plan_steps(p), p->scene->time.end, unit);
     return FLOE_OK;
 }

@@ -11,9 +11,9 @@ typedef struct elastic_moduli {
 } elastic_moduli;
 
 /* The rows that such a law has in its table of parameters. */
-#define ELASTIC_MODULI                                                                \
-    PAR_POSITIVE(elastic_moduli, bulk_modulus, "Pa", NAN, "bulk modulus K, at rest"), \
-        PAR_POSITIVE(elastic_moduli, shear_modulus, "Pa", NAN, "shear modulus G, at rest")
+#define ELASTIC_MODULI                                                                                     \
+    PAR_POSITIVE(elastic_moduli, bulk_modulus, "Pa", NAN, "bulk modulus K = E / (3 (1 - 2 nu)), at rest"), \
+        PAR_POSITIVE(elastic_moduli, shear_modulus, "Pa", NAN, "shear modulus G = E / (2 (1 + nu)), at rest")
 
 /* Lame's first parameter (Pa), K - 2 G / 3. */
 static inline double lame_lambda(const elastic_moduli *a)

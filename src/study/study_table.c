@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "base/wrapped.h"
 #include "run/run_errors.h"
 
 #include <math.h>
@@ -24,7 +25,7 @@ static const table_column csv = {.in = TABLE_CSV}, csv_short = {.in = TABLE_CSV,
                           quoted = {.in = TABLE_FILES, .quoted = true}, json = {.in = TABLE_JSON},
                           json_timing = {.in = TABLE_JSON, .object = "timing"},
                           json_verdict = {.in = TABLE_JSON, .object = "verdict"},
-                          shown_time = {.in = TABLE_SHOWN, .format = "%.3g s", .width = 11};
+                          shown_time = {.in = TABLE_SHOWN, .format = "%.3g s", .width = 10};
 
 /* Where the case stands in the study. */
 static void add_axes(const study *s, const study_case *one, table *t)
@@ -234,35 +235,36 @@ static void print_answers(const study *s, FILE *file)
         for (int k = 0; k < n && s->n_groups > 1; k++) {
             char text[512];
             study_answer_text(s, &a[k], text, sizeof text);
-            (void)fprintf(file, "%s\n", text);
+            wrapped_printf(file, "%s\n", text);
         }
         const double least = study_least_level(s, s->metric[m]);
         if (least > STUDY_ROUND_OFF && s->n_groups > 1)
-            (void)fprintf(file, "below %.2g %% in %s nothing is chosen: the reference is good for %.2g %%\n",
-                          100.0 * least, s->metric[m], 50.0 * least);
+            wrapped_printf(file, "below %.2g %% in %s nothing is chosen: the reference is good for %.2g %%\n",
+                           100.0 * least, s->metric[m], 50.0 * least);
     }
 }
 
 static void print_timing(const study *s, FILE *file)
 {
+    char text[256] = "";
     bool crowded = false;
     for (size_t i = 0; i < s->n; i++)
         crowded = crowded || (s->plan.repeat == 0 && study_is_done(&s->list[i]) && !s->run[i].alone);
     if (s->plan.repeat > 0)
-        (void)fprintf(
-            file,
-            "times: the best of %d, alone on one thread, of short cases the best of more, without that of outputs",
-            s->plan.repeat);
+        text_add(text, sizeof text,
+                 "times: the best of %d, alone on one thread, of short cases the best of more, without that of outputs",
+                 s->plan.repeat);
     if (crowded)
-        (void)fprintf(file, "times: not to be compared, as cases ran side by side (--repeat N times them alone)");
+        text_add(text, sizeof text,
+                 "times: not to be compared, as cases ran side by side (--repeat N times them alone)");
     if (study_is_disturbed(s))
-        (void)fprintf(file, "%sother programs used the machine during the disturbed ones",
-                      s->plan.repeat > 0 || crowded ? "; " : "times: ");
-    if (s->plan.repeat > 0 || crowded || study_is_disturbed(s)) (void)fprintf(file, "\n");
+        text_add(text, sizeof text, "%sother programs used the machine during the disturbed ones",
+                 text[0] ? "; " : "times: ");
+    if (text[0]) wrapped_printf(file, "%s\n", text);
     for (size_t i = 0; i < s->n; i++) {
         if (s->list[i].timing.differs)
-            (void)fprintf(file, "%s: repeated runs gave different results, which must not be: please report it\n",
-                          s->run[i].label);
+            wrapped_printf(file, "%s: repeated runs gave different results, which must not be: please report it\n",
+                           s->run[i].label);
     }
 }
 
@@ -274,7 +276,7 @@ static floe_status print_bars(const study *s, FILE *file)
     for (size_t i = 0; i < n; i++) {
         char text[512];
         study_bar_text(s, &list[i], text, sizeof text);
-        (void)fprintf(file, "%s: %s\n", list[i].met ? "met" : "MISSED", text);
+        wrapped_printf(file, "%s: %s\n", list[i].met ? "met" : "MISSED", text);
     }
     memory_free(s->ctx, &list);
     return FLOE_OK;
@@ -288,7 +290,7 @@ static void print_verdicts(const study *s, FILE *file)
     if (s->options->spoil) (void)fprintf(file, "checked blindly: %zu\n", study_count_unnoticed(s));
     for (size_t i = 0; i < s->n; i++) {
         const char *reason = s->list[i].verdict == STUDY_REFUSED ? study_refusal_of(s, &s->list[i]) : NULL;
-        if (reason) (void)fprintf(file, "refused, %s: %s\n", s->run[i].label, reason);
+        if (reason) wrapped_printf(file, "refused, %s: %s\n", s->run[i].label, reason);
     }
 }
 
@@ -312,7 +314,7 @@ static void print_warnings(const study *s, FILE *file)
         for (int k = 0; s->list[i].run->ran && k < r->n_warnings; k++) {
             if (is_warned_before(s, i, r->warnings[k])) continue;
             if (shown++ < WARNINGS_SHOWN)
-                (void)fprintf(file, "warned, %s: %s\n", s->list[i].run->label, r->warnings[k]);
+                wrapped_printf(file, "warned, %s: %s\n", s->list[i].run->label, r->warnings[k]);
             else
                 more++;
         }

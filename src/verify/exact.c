@@ -52,12 +52,6 @@ const exact_model *exact_find(const char *name)
     return NULL;
 }
 
-void exact_fill_defaults(const exact_model *model, void *par)
-{
-    memset(par, 0, model->param_size);
-    param_fill_defaults(model->params, model->n_params, par);
-}
-
 double *exact_param(const exact_model *model, void *par, const char *key)
 {
     return param_find(model->params, model->n_params, par, key);
@@ -140,15 +134,4 @@ double exact_accuracy(const exact *solution)
 {
     const exact_model *m = solution->model;
     return m && m->accuracy ? m->accuracy(solution->par, solution->prepared) : 0.0;
-}
-
-double exact_scalar_value(const exact *solution, const char *name, double t)
-{
-    const exact_model *model = solution->model;
-    for (size_t i = 0; i < model->n_scalars; i++) {
-        if (strcmp(model->scalars[i].name, name) == 0) {
-            return model->scalar(solution->par, solution->prepared, i, t);
-        }
-    }
-    return NAN;
 }

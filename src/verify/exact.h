@@ -142,8 +142,6 @@ const char *exact_quantity_doc(exact_quantity quantity);
 /* EXACT_QUANTITY_COUNT if there is none of that name. */
 exact_quantity exact_quantity_find(const char *name);
 
-/* Fills par (model->param_size bytes) with the defaults of the table; NAN where a parameter is required. */
-void exact_fill_defaults(const exact_model *model, void *par);
 /* The (first) double of the parameter `key` inside `par`; NULL if there is none of that key. */
 double *exact_param(const exact_model *model, void *par, const char *key);
 
@@ -176,8 +174,6 @@ double exact_heat_source(const exact *solution, const double x[3], double t);
 exact_breaks exact_find_breaks(const exact *solution, double t);
 /* The relative error that the solution itself may have; 0: it is exact, as far as is known. */
 double exact_accuracy(const exact *solution);
-/* The scalar of that name; NAN if there is none. */
-double exact_scalar_value(const exact *solution, const char *name, double t);
 
 /* How a cell average weighs the volume of the cell. */
 typedef enum exact_average {

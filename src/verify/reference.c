@@ -51,12 +51,3 @@ floe_status reference_series(context *ctx, const reference *r, size_t n, const d
     return fail_under(ctx, r->model->series(ctx, r->par, r->prepared, n, t, value),
                       KEY("verify", "reference", r->model->name));
 }
-
-double reference_scalar_value(const reference *r, const char *name)
-{
-    const reference_model *model = r->model;
-    for (size_t i = 0; i < model->n_scalars; i++) {
-        if (strcmp(model->scalars[i].name, name) == 0) return model->scalar(r->par, r->prepared, i);
-    }
-    return NAN;
-}

@@ -77,7 +77,5 @@ void reference_destroy(context *ctx, reference *r);
 /* All quantities at the n times t[i] (s, ascending, >= 0), value[q * n + i]. Errors: of the model's series(), and
  * FLOE_BAD_INPUT for times that are not so. */
 floe_status reference_series(context *ctx, const reference *r, size_t n, const double *t, double *value);
-/* The scalar of that name; NAN if there is none. */
-double reference_scalar_value(const reference *r, const char *name);
 
 #endif

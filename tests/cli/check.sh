@@ -21,6 +21,20 @@ has stderr 'many_errors.yaml:10:'
 has stderr 'many_errors.yaml:11:'
 [ ! -s stdout ] || fault 'errors belong to standard error'
 
+# A name that a formula does not know: where names come from; the moduli of a law: how they follow from those of a table of materials.
+check_refuses "$FLOE_SOURCE/inputs/sod.yaml" "constants of your own have a section in the deck, 'constants'" 'domain.cell=L / 40'
+check_refuses "$FLOE_SOURCE/inputs/two_bars.yaml" 'bulk modulus K = E / (3 (1 - 2 nu))' 'materials.bar.law={linear_elastic: {youngs_modulus: 1, poissons_ratio: 0.3}}'
+
+# A terminal gets lines of 80 columns at most, of the deck too, with the same words; a file gets each message as one line.
+cp "$decks/many_errors.yaml" many.yaml
+"$FLOE" check many.yaml 2>as-file || true
+grep -q '.\{81\}' as-file || fault 'no message of this deck is long'
+if script -qc true /dev/null </dev/null >/dev/null 2>&1; then # a sandbox may have no pseudo-terminals
+    script -qc "$FLOE check many.yaml" /dev/null </dev/null | tr -d '\r' | sed 's/\x1b\[[0-9;]*m//g' >as-terminal
+    if grep '.\{81\}' as-terminal; then fault 'a terminal gets lines of more than 80 columns'; fi
+    [ "$(tr -s ' \n' ' ' <as-file)" = "$(tr -s ' \n' ' ' <as-terminal)" ] || fault 'a terminal gets other words'
+fi
+
 expect 2 "$FLOE" check "$decks/syntax.yaml"
 has stderr 'syntax.yaml:4:'
 expect 2 "$FLOE" check "$decks/impossible.yaml"

@@ -59,7 +59,7 @@ find_package(floe REQUIRED)
 add_executable(own_law $FLOE_SOURCE/examples/own_law.c)
 target_link_libraries(own_law PRIVATE floe::floe m)
 EOF
-expect 0 cmake -S project -B project/build -DCMAKE_PREFIX_PATH="$work/moved" -DCMAKE_C_COMPILER="$cc" -DCMAKE_C_FLAGS="$sanitizers"
+expect 0 cmake -G Ninja -S project -B project/build -DCMAKE_PREFIX_PATH="$work/moved" -DCMAKE_C_COMPILER="$cc" -DCMAKE_C_FLAGS="$sanitizers"
 expect 0 cmake --build project/build
 expect 0 project/build/own_law
 has stdout 'strain energy 877.6'

@@ -4,7 +4,7 @@
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
 off=(-DFLOE_STUDIES=OFF -DFLOE_PICTURES=OFF -DFLOE_VERIFICATION=OFF)
-expect 0 cmake -S "$FLOE_SOURCE" -B small "${off[@]}" -DCMAKE_C_FLAGS='-O2 -g'
+expect 0 cmake -G Ninja -S "$FLOE_SOURCE" -B small "${off[@]}" -DCMAKE_C_FLAGS='-O2 -g'
 commands=small/compile_commands.json
 for part in src/study src/batch exact_riemann cmd_study; do
     grep -q "$part" $commands && fault "$part is in a build without it"
@@ -14,9 +14,9 @@ for part in src/library src/cli/absent_studies src/verify/norms; do
 done
 grep -q -- '-O2 -g' $commands || fault "the user's flags are not in the build"
 grep -qE -- '-O3|-Werror' $commands && fault "the build has an -O3 or a -Werror that the user did not ask for"
-expect 0 cmake -S "$FLOE_SOURCE" -B bare "${off[@]}" -DFLOE_CLI=OFF
+expect 0 cmake -G Ninja -S "$FLOE_SOURCE" -B bare "${off[@]}" -DFLOE_CLI=OFF
 grep -q src/cli bare/compile_commands.json && fault 'the command line is in a build without it'
-expect 1 cmake -S "$FLOE_SOURCE" -B fast -DCMAKE_C_FLAGS=-ffast-math
+expect 1 cmake -G Ninja -S "$FLOE_SOURCE" -B fast -DCMAKE_C_FLAGS=-ffast-math
 has stderr 'NaN and infinity'
 [ -n "${FLOE_PARTS:-}" ] || exit 0
 

@@ -1,6 +1,7 @@
 /* Every exact solution of the registry, unasked: it gives what it says, and at its sample it solves the equations that it
  * names, by differences (its tables: unit/test_verify_exact.c). A new file src/verify/exact/exact_<name>.c is covered as it stands. */
 #include "check.h"
+#include "exact_values.h"
 
 #include "math/tensor.h"
 #include "verify/exact.h"

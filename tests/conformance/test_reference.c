@@ -1,6 +1,7 @@
 /* Every reference of the registry, unasked: its quantities are finite, rates are derivatives, what is constant is, and
  * nothing depends on which other times are asked for. A new file src/verify/reference/reference_<name>.c is covered as it stands. */
 #include "check.h"
+#include "reference_values.h"
 
 #include "base/memory.h"
 #include "verify/reference.h"

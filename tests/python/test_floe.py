@@ -9,7 +9,7 @@ import h5py
 import numpy
 
 import floe
-from floe import plots
+from floe import figures, plots, report, units
 
 SOD, RING = (pathlib.Path(name) for name in sys.argv[1:])
 
@@ -102,6 +102,25 @@ def test_plots():
         for page in pages:
             plots.lines(page, {"ice": (x, x ** 2), "exact": (x, x, plots.EXACT)}, plots.label("h", "m"), "error", log=True)
         assert pages[0].read_bytes() == pages[1].read_bytes() and b"<svg" in pages[0].read_bytes()
+
+
+def test_labels():
+    """Texts beside points stay inside the panel: at its right end they stand to the left."""
+    from matplotlib.figure import Figure as Paper
+    axes = Paper().subplots()
+    axes.set_xlim(0, 1)
+    for x in (0.1, 0.95):
+        figures._label(axes, x, 0.5, "0.025")
+    assert [(one.get_ha(), one.xyann[0]) for one in axes.texts] == [("left", 5), ("right", -5)]
+
+
+def test_answers():
+    """What to choose for a level of error has the unit of the errors beside it."""
+    class Cases:
+        error_text = staticmethod(lambda metric, value: units.number(value, "Pa"))
+    told = {"metric": "l1_p", "target": 5e4, "text": "for 50000 Pa in l1_p choose mpm, 0.1 s"}
+    assert report._answer(told, Cases) == "For 50 kPa in l1_p choose mpm, 0.1 s."
+    assert report._answer({"metric": "l1_p", "target": 5e4, "text": "none reaches 50000 Pa"}, Cases) == "None reaches 50000 Pa."
 
 
 for name, test in list(globals().items()):

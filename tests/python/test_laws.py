@@ -161,6 +161,53 @@ def test_history():
         assert unit == "Pa" and abs(greatest[middle].mean() / front - 1) < 0.1, greatest[middle] / front
 
 
+class Warm(Metal):
+    """Stress by the temperature alone, which its points remember, and the step."""
+    name = "my_warm"
+    needs_temperature = True
+    history = {"met": ("K", "the temperature that the law was told"), "step": ("s", "the step that the law was told")}
+
+    def stress(self, par, batch):
+        batch.stress[:3] = -1e4 * (batch.temperature - 300)
+        batch.stress[3:] = 0
+        batch.history[0], batch.history[1] = batch.temperature, batch.dt
+
+
+def test_temperature():
+    """A law that needs the temperature is told that of its points, which the deck gives; without the word it is told none."""
+    settings = {"materials.metal": {"density": 8000, "specific_heat": 400, "law": {"my_warm": {"bulk_modulus": 1.4e11, "shear_modulus": 8e10}}},
+                "bodies.left.temperature": 310, "bodies.right.temperature": 290}
+    with floe.Scene(text=BAR, settings=settings, laws=[Warm()]) as scene:
+        scene.step()
+        for name, temperature in (("left", 310), ("right", 290)):
+            points = scene.points[name]
+            assert abs(points.copy("met") - temperature).max() < 1e-9 and abs(points.copy("stress_xx") + 1e4 * (temperature - 300)).max() < 1e-3
+    refused(floe.InputError, "specific_heat", floe.Scene, text=BAR, settings={"materials.metal.law": settings["materials.metal"]["law"]}, laws=[Warm()])
+
+
+class Creep(Metal):
+    """Metal, which remembers the step that it was told."""
+    name = "my_creep"
+    needs_time = True
+    history = {"step": ("s", "the step that the law was told")}
+
+    def stress(self, par, batch):
+        met = batch.dt
+        super().stress(par, batch)
+        batch.history[0] = met
+
+
+def test_time():
+    """A law that needs the time has that of the deck's increments in static steps; without the word it has 1 s."""
+    for needs, step in ((True, 5e-6), (False, 1)):
+        law = type("Asked", (Creep,), {"needs_time": needs})()
+        settings = {"materials.metal.law": {"my_creep": {"bulk_modulus": 1.4e11, "shear_modulus": 8e10}}, "boundaries.x": "symmetry", "bodies.right": None,
+                    "bodies.left": {"material": "metal", "shape": {"box": {"lower": 0, "upper": 1}}}, "time": {"end": "20 us", "solver": "static", "increments": 4}}
+        with floe.Scene(text=BAR, settings=settings, laws=[law]) as scene:
+            scene.advance()
+            assert abs(scene.points["left"].copy("step") / step - 1).max() < 1e-9, scene.points["left"].copy("step")
+
+
 def test_fluid():
     """Sod's tube on cells and as points, as with floe's ideal gas (8e-15 was measured)."""
     for coupling, read in (("ice", lambda s: s.cells.copy("density_gas")), ("mpm", lambda s: s.points["left"].copy("stress_xx"))):

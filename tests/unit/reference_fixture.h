@@ -2,6 +2,7 @@
 #ifndef TESTS_UNIT_REFERENCE_FIXTURE_H
 #define TESTS_UNIT_REFERENCE_FIXTURE_H
 
+#include "reference_values.h"
 #include "settings.h"
 
 #include "verify/reference.h"

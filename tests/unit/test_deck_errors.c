@@ -4,6 +4,8 @@
 #include "scene/deck_location.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 typedef struct fixture {
     context *ctx;
@@ -343,8 +345,11 @@ static char *spoil(const spoiled *c, char *text, size_t size)
 static floe_status load(fixture *f, const char *text, const deck_overrides *set, deck_report *report)
 {
     scene *s;
-    const floe_status status =
-        deck_check_text(&s, f->ctx, "deck.yaml", text, strlen(text), set, &f->store.catalogue, report);
+    FILE *file = fopen("deck.yaml", "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+    const floe_status status = deck_check(&s, f->ctx, "deck.yaml", set, &f->store.catalogue, report);
     scene_destroy(&s);
     context_clear(f->ctx);
     return status;
@@ -567,5 +572,11 @@ int main(void)
         cmocka_unit_test_setup_teardown(too_many_entries_are_refused, set_up, tear_down),
         cmocka_unit_test_setup_teardown(unreadable_file_says_why, set_up, tear_down),
     };
-    return cmocka_run_group_tests_name("deck_errors", tests, NULL, NULL);
+    /* Decks are read from the file deck.yaml, in a folder of this test. */
+    char folder[] = "/tmp/deck_errors-XXXXXX";
+    if (!mkdtemp(folder) || chdir(folder) != 0) return 1;
+    const int failed = cmocka_run_group_tests_name("deck_errors", tests, NULL, NULL);
+    (void)remove("deck.yaml");
+    (void)rmdir(folder);
+    return failed;
 }

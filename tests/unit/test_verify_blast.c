@@ -1,5 +1,6 @@
 /* Sedov's blast against published constants and its own shock, Noh's problem against its jump. */
 #include "check.h"
+#include "exact_values.h"
 
 #include "verify/exact.h"
 

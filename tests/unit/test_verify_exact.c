@@ -1,5 +1,6 @@
 /* Every exact solution of the registry: its table is sound, and misuse is refused. */
 #include "check.h"
+#include "exact_values.h"
 
 #include "base/memory.h"
 #include "verify/exact.h"

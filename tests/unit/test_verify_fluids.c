@@ -1,5 +1,6 @@
 /* Exact solutions of fluids: limits, periods, conservation, exchange; and exact cell averages against integrals by hand. */
 #include "exact_fixture.h"
+#include "exact_values.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,5 @@
 /* Colliding bars: cases that are known by hand, and waves shifted through arrays, with contact made and lost again. */
+#include "exact_values.h"
 #include "reference_fixture.h"
 
 #include "verify/exact.h"

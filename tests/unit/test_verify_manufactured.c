@@ -1,6 +1,7 @@
 /* Manufactured solutions of solids: their stress is what floe's law makes of their displacement; the ring's motion and its free faces. (That
  * their forces balance that stress: conformance/test_exact.c.) */
 #include "exact_fixture.h"
+#include "exact_values.h"
 
 #include "material/solid.h"
 

@@ -1,5 +1,6 @@
 /* The exact Riemann solver: published star states, jump conditions, vacuum, stiffened gases. */
 #include "check.h"
+#include "exact_values.h"
 
 #include "verify/exact.h"
 #include "verify/riemann.h"

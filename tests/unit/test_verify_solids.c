@@ -1,5 +1,6 @@
 /* Exact solutions of solids and of the piston: boundary values, constitutive laws, published figures. */
 #include "exact_fixture.h"
+#include "exact_values.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #define TESTS_VERIFICATION_ICE_FIXTURE_H
 
 #include "check.h"
+#include "exact_values.h"
 
 #include "base/memory.h"
 #include "ice/ice.h"

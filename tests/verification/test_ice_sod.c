@@ -1,4 +1,5 @@
 /* Sod's shock tube on the cells (validation B1, D1) against the exact Riemann solution. */
+#include "exact_values.h"
 #include "ice_fixture.h"
 #include "order_fixture.h"
 

@@ -1,5 +1,6 @@
 /* A clamped bar in its first mode (Landau and Lifshitz, section 25), 1-D, FLIP: order in the spacing and in the step, and what
  * the stress schemes do to the energy. */
+#include "exact_values.h"
 #include "mpm_fixture.h"
 #include "order_fixture.h"
 

@@ -1,6 +1,7 @@
 /* Bodies in contact, by the whole solver: momentum in any geometry, what a contact that always sticks is, bodies that part, blocks on
  * slopes, three bodies, energy. */
 #include "mpm_fixture.h"
+#include "reference_values.h"
 
 #include "mpm/normal/normal.h"
 #include "verify/reference.h"

@@ -1,5 +1,6 @@
 /* Gas carried by points (York, Sulsky, Schreyer 2000, section 3.3): adiabatic compression by a wall that moves in, and Sod's shock tube
  * (York 1997, section 4.1) against the exact Riemann solution. */
+#include "exact_values.h"
 #include "mpm_fixture.h"
 
 static const double gamma_gas = 1.4;

@@ -1,5 +1,6 @@
 /* Every dimension and stress state at rest under load, against closed forms: uniaxial strain and stress in 1-D, plane stress, plane
  * strain and shells in (r, z), three dimensions; and the neo-Hookean law at a large stretch. */
+#include "exact_values.h"
 #include "mpm_fixture.h"
 
 /* Moduli of order one; loads of 1e-4 of them keep finite strain out of sight. */

@@ -98,20 +98,27 @@ static const record_row rows[] = {
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
 
+/* Numbers that stand in both structs alike. */
+typedef struct common_field {
+    size_t record, ledger, size; /* offsets and bytes */
+} common_field;
+
+#define COMMON(field)                                                                                      \
+    {                                                                                                      \
+        offsetof(checkpoint_record, ledger_##field), offsetof(ledger, field), sizeof(((ledger *)0)->field) \
+    }
+static const common_field common[] = {COMMON(initial),    COMMON(total),      COMMON(scale),
+                                      COMMON(extent),     COMMON(let_in),     COMMON(worst),
+                                      COMMON(worst_time), COMMON(elasticity), COMMON(pending)};
+enum { COMMONS = sizeof common / sizeof common[0] };
+
 static void take_ledger(checkpoint_record *r, const ledger *l)
 {
-    memcpy(r->ledger_initial, l->initial, sizeof r->ledger_initial);
-    memcpy(r->ledger_total, l->total, sizeof r->ledger_total);
-    memcpy(r->ledger_scale, l->scale, sizeof r->ledger_scale);
-    memcpy(r->ledger_extent, l->extent, sizeof r->ledger_extent);
-    memcpy(r->ledger_let_in, l->let_in, sizeof r->ledger_let_in);
-    memcpy(r->ledger_worst, l->worst, sizeof r->ledger_worst);
-    memcpy(r->ledger_worst_time, l->worst_time, sizeof r->ledger_worst_time);
-    r->ledger_elasticity = l->elasticity;
+    for (size_t k = 0; k < COMMONS; k++)
+        memcpy((char *)r + common[k].record, (const char *)l + common[k].ledger, common[k].size);
     const ledger_motion *m = &l->motion;
     const double motion[] = {m->start, m->internal, m->available, m->beyond, m->last_look};
     memcpy(r->ledger_motion, motion, sizeof motion);
-    memcpy(r->ledger_pending, l->pending, sizeof r->ledger_pending);
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         for (int k = 0; k < LEDGER_KINDS; k++) {
             r->ledger_entry[q][k][0] = l->entry[q][k].value;
@@ -126,17 +133,10 @@ static void take_ledger(checkpoint_record *r, const ledger *l)
 
 static void put_ledger(const checkpoint_record *r, ledger *l)
 {
-    memcpy(l->initial, r->ledger_initial, sizeof l->initial);
-    memcpy(l->total, r->ledger_total, sizeof l->total);
-    memcpy(l->scale, r->ledger_scale, sizeof l->scale);
-    memcpy(l->extent, r->ledger_extent, sizeof l->extent);
-    memcpy(l->let_in, r->ledger_let_in, sizeof l->let_in);
-    memcpy(l->worst, r->ledger_worst, sizeof l->worst);
-    memcpy(l->worst_time, r->ledger_worst_time, sizeof l->worst_time);
-    l->elasticity = r->ledger_elasticity;
+    for (size_t k = 0; k < COMMONS; k++)
+        memcpy((char *)l + common[k].ledger, (const char *)r + common[k].record, common[k].size);
     const double *m = r->ledger_motion;
     l->motion = (ledger_motion){m[0], m[1], m[2], m[3], m[4]};
-    memcpy(l->pending, r->ledger_pending, sizeof l->pending);
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         for (int k = 0; k < LEDGER_KINDS; k++) {
             l->entry[q][k] = (ledger_sum){r->ledger_entry[q][k][0], r->ledger_entry[q][k][1]};

@@ -20,7 +20,6 @@ struct snapshot_series {
     char *dir;    /* owned */
     char deck_sha256[SHA256_TEXT];
     strbuf times;     /* XDMF of the snapshots so far */
-    long count;       /* snapshots */
     long next;        /* number of the next one */
     double last_time; /* s */
 };
@@ -68,7 +67,6 @@ static floe_status keep_or_remove(snapshot_series *series, const char *path, lon
     }
     strbuf_append(&series->times, "%s", page);
     memory_free(series->ctx, &page);
-    series->count++;
     series->next = number + 1;
     series->last_time = time;
     return series->times.status;
@@ -234,15 +232,9 @@ floe_status snapshot_write(snapshot_series *series, const sim *s)
     }
     strbuf_free(&page);
     TRY(status);
-    series->count++;
     series->next++;
     series->last_time = s->time;
     return write_page(series);
-}
-
-long snapshot_count(const snapshot_series *series)
-{
-    return series->count;
 }
 
 double snapshot_last_time(const snapshot_series *series)

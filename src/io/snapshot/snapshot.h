@@ -20,8 +20,7 @@ void snapshot_close(snapshot_series **s);
  * untouched. */
 floe_status snapshot_write(snapshot_series *series, const sim *s);
 
-/* How many there are, and the time (s) of the last one, -INFINITY if none. */
-long snapshot_count(const snapshot_series *series);
+/* The time (s) of the last one, -INFINITY if there is none. */
 double snapshot_last_time(const snapshot_series *series);
 
 #endif
