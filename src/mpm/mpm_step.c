@@ -247,7 +247,8 @@ floe_status mpm_point_stages(mpm *s)
           READS(WHEN(nodes, N_CAPACITY), WHEN(nodes, N_HEAT), WHEN(nodes, N_TEMP), WHEN(nodes, N_TEMP_CHANGE), P_POS,
                 P_TEMP, DOMAINS, DISSIPATED),
           WRITES(WHEN(nodes, N_TEMP), WHEN(nodes, N_TEMP_CHANGE), P_TEMP, WHEN(conducts(s), P_TEMP_GRADIENT)));
-    STAGE(s, advects_points(s), mpm_stretch_gradients, READS(P_AFFINE), WRITES(P_AFFINE));
+    STAGE(s, advects_points(s), mpm_stretch_gradients, READS(P_AFFINE, P_POS, P_MASS, P_VOLUME0, DOMAINS, N_MASS),
+          WRITES(P_AFFINE));
     STAGE(s, s->normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     TRY(turn_stages(s));
     STAGE(s, losses_are_heat(s), mpm_give_heat,
