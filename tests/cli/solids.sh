@@ -31,3 +31,13 @@ below 0.75 "$(energy)"
 run "$discs" domain.stress_state=plane_stress "materials.rubber.law=$weak" 'contact={between: [left, right]}'
 below "$(energy)" 1 # measured 0.85
 below 0.7 "$(energy)"
+
+# Static balance beyond yield: the matrix knows that lines of edges yield (theory 9.1). Half of a cylinder is plastic, K/G = 8; Hill's solution, outer radius
+# 4.4839e-4 larger. Before, the eight increments were cut until they ended at 1e-8 by bits of 4e-3.
+run "$FLOE_SOURCE/inputs/defaults/e7_cylinder.yaml" time.solver=static damping=null 'time.end=1' time.increments=8 verify=null \
+    'materials.rubber.law={j2: {bulk_modulus: 3000, shear_modulus: 375, yield_stress: 1}}' loads.bore.traction.pressure=0.7 \
+    'output={interval: 1, tracers: {side: {body: cylinder, position: [0, 1]}}}'
+[ "$(json out/summary.json steps)" = 8 ] || fault 'the increments do not converge'
+grown=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^side_displacement_y/) at = i } END { print $at }' out/history.csv)
+below "$grown" 4.63e-4 # measured 4.556e-4
+below 4.34e-4 "$grown"
