@@ -102,6 +102,9 @@
       "-grad phi/phi: towards the outside of a body, of no unit length")                                             \
     X(N_REACH, "node_reach", NODE, SCALAR, "m", SCRATCH,                                                             \
       "how far a body's points reach from the node along its normal there")                                          \
+    X(N_REACH_FIRST, "node_reach_first", NODE, SCALAR, "m", SCRATCH,                                                 \
+      "the same along the normal of the first body there")                                                           \
+    X(N_REACH_SECOND, "node_reach_second", NODE, SCALAR, "m", SCRATCH, "the same along that of the second")          \
     X(N_TOUCH, "node_touch", NODE, SCALAR, "1", SCRATCH,                                                             \
       "bits of the groups that it moves with (from 0 on) and slides on (from 16 on)")                                \
     X(N_WETTED_AREA, "node_wetted_area", NODE, VECTOR, "m2", SCRATCH,                                                \

@@ -130,7 +130,7 @@ floe_status mpm_mass_stages(mpm *s)
     STAGE(s, walls_let_go(s), mpm_side_reach, READS(P_POS, P_VOLUME0, P_J, DOMAINS), WRITES(N_SIDE_REACH, N_SIDE_BODY));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
-          WRITES(N_REACH));
+          WRITES(N_REACH, N_NORMAL, WHEN(s->mesh->dim > 1, N_REACH_FIRST), WHEN(s->mesh->dim > 1, N_REACH_SECOND)));
     return FLOE_OK;
 }
 
@@ -247,7 +247,8 @@ floe_status mpm_point_stages(mpm *s)
           READS(WHEN(nodes, N_CAPACITY), WHEN(nodes, N_HEAT), WHEN(nodes, N_TEMP), WHEN(nodes, N_TEMP_CHANGE), P_POS,
                 P_TEMP, DOMAINS, DISSIPATED),
           WRITES(WHEN(nodes, N_TEMP), WHEN(nodes, N_TEMP_CHANGE), P_TEMP, WHEN(conducts(s), P_TEMP_GRADIENT)));
-    STAGE(s, advects_points(s), mpm_stretch_gradients, READS(P_AFFINE), WRITES(P_AFFINE));
+    STAGE(s, advects_points(s), mpm_stretch_gradients, READS(P_AFFINE, P_POS, P_MASS, P_VOLUME0, DOMAINS, N_MASS),
+          WRITES(P_AFFINE));
     STAGE(s, s->normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     TRY(turn_stages(s));
     STAGE(s, losses_are_heat(s), mpm_give_heat,
@@ -278,7 +279,7 @@ static floe_status implicit_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_implicit_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
-          WRITES(N_REACH));
+          WRITES(N_REACH, N_NORMAL, WHEN(s->mesh->dim > 1, N_REACH_FIRST), WHEN(s->mesh->dim > 1, N_REACH_SECOND)));
     STAGE(s, ALWAYS, mpm_implicit_loads, READS(N_MASS), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_implicit_solve,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(meets_at_points(s), N_REACH), P_MASS,

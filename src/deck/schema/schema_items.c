@@ -304,7 +304,9 @@ static const key_spec traction_keys[] = {
     {"surface", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .required = true,
      .doc = "the surface of this shape is loaded; the body lies on one side of it"},
     {"pressure", KEY_NUMBER, "Pa", AT(scene_load, target), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
-     .doc = "normal pressure on it, above reference_pressure; compression positive"},
+     .doc = "normal pressure on it, above reference_pressure; compression positive. A dead load: areas and normals are "
+            "those "
+            "at the start"},
     {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, start), .fallback = "0", .doc = "the load begins"},
     {"ramp", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, ramp), .fallback = "0",
      .doc = "time over which it grows from nothing, in proportion; 0: at once"},

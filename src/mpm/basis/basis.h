@@ -21,11 +21,12 @@ enum { BASIS_MAX_SUPPORT = 4 };
 /* What methods about the weights ask of a basis. It is written in this order, whole: one that is left out does not
  * compile. */
 typedef struct basis_facts {
-    int edge_taps;            /* nodes of a line of edges (mpm/edge/edge.h): the degree of the splines plus two */
-    double ghost_share;       /* cells: integral over the mesh of the first ghost's shape function beyond a side */
-    double axis_moment;       /* cells^2: integral over r > 0 of r times the shape function of a node on the axis */
-    double least_mass;        /* of the heaviest point's: lighter nodes take no force (node.c) */
-    double usl_share;         /* most of h/c that a step takes with USL (totals.c, theory 4.6) */
+    int edge_taps;      /* nodes of a line of edges (mpm/edge/edge.h): the degree of the splines plus two */
+    double ghost_share; /* cells: integral over the mesh of the first ghost's shape function beyond a side */
+    double axis_moment; /* cells^2: integral over r > 0 of r times the shape function of a node on the axis */
+    double least_mass;  /* of the heaviest point's: lighter nodes take no force (node.c) */
+    double load_mass;   /* of the heaviest node's about: lighter nodes take less of a load on a surface (traction.c) */
+    double usl_share;   /* most of h/c that a step takes with USL (totals.c, theory 4.6) */
     double carried_share;     /* of points that carry the motion about them */
     double restored_share[4]; /* of affine FMPM of orders 2, 4, 6 and more */
     bool hats; /* light nodes are spared (light_nodes.c), and affine FMPM adds all its terms whole (restore.c) */

@@ -39,6 +39,7 @@ static const basis_model basis_cpdi = {
             0.0,                      /* ghost_share */
             1.0 / 6.0,                /* axis_moment */
             1e-9,                     /* least_mass */
+            0.03,                     /* load_mass */
             0.4,                      /* usl_share */
             0.55,                     /* carried_share */
             {0.55, 0.55, 0.55, 0.55}, /* restored_share */

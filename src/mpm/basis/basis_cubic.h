@@ -35,6 +35,7 @@ static const basis_model basis_cubic = {
             1.0 / 24.0,             /* ghost_share */
             7.0 / 30.0,             /* axis_moment */
             1e-14,                  /* least_mass */
+            3e-4,                   /* load_mass */
             1.0,                    /* usl_share */
             1.0,                    /* carried_share */
             {1.0, 0.75, 0.7, 0.35}, /* restored_share */

@@ -41,6 +41,7 @@ static const basis_model basis_gimp = {
             0.0,                      /* ghost_share */
             1.0 / 6.0,                /* axis_moment */
             1e-9,                     /* least_mass */
+            3e-4,                     /* load_mass */
             0.4,                      /* usl_share */
             0.45,                     /* carried_share */
             {0.45, 0.45, 0.45, 0.45}, /* restored_share */

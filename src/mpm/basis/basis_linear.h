@@ -29,6 +29,7 @@ static const basis_model basis_linear = {
             0.0,                  /* ghost_share */
             1.0 / 6.0,            /* axis_moment */
             1e-9,                 /* least_mass */
+            3e-4,                 /* load_mass */
             0.5,                  /* usl_share */
             0.6,                  /* carried_share */
             {0.6, 0.6, 0.6, 0.6}, /* restored_share */

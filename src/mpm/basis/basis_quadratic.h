@@ -34,6 +34,7 @@ static const basis_model basis_quadratic = {
             1.0 / 48.0,            /* ghost_share */
             13.0 / 64.0,           /* axis_moment */
             1e-9,                  /* least_mass */
+            3e-4,                  /* load_mass */
             0.6,                   /* usl_share */
             0.7,                   /* carried_share */
             {0.6, 0.4, 0.35, 0.2}, /* restored_share */

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "grid/tile_box.h"
+#include "mpm/mpm_constants.h"
 #include "mpm/nodes/constraints.h"
 #include "mpm/transfer/scratch.h"
 
@@ -170,21 +171,23 @@ static void recall_states(const node_pass *p, ptrdiff_t at, const int *group, co
     }
 }
 
-/* Writes the velocities; returns what the contact added to the nodes' kinetic energy: its impulses times the means of
- * the velocities before and after the kick. */
+/* Writes the velocities; returns what the contact added to the kinetic energy: its impulses times the means of the velocities before and after the kick. Of
+ * the kick of a light node points feel its share alone. */
 static double store_contact_node(const node_pass *p, ptrdiff_t at, const int *group, const contact_node *node)
 {
     double work = 0.0;
     for (int k = 0; k < node->n; ++k) {
         const group_view *g = &p->group[group[k]];
         const contact_body *b = &node->body[k];
+        const double felt = fmin(1.0, b->mass / (MPM_FELT_NODE * p->s->reference_mass));
         if (b->given) { /* what has been taken of it shows as a change of its nodes (motion/motion.h) */
             for (int c = 0; c < node->dim; ++c) g->v[c][at] = b->v[c] + b->taken[c] / b->mass;
             continue;
         }
         for (int c = 0; c < node->dim; ++c) {
             const double freely = g->v[c][at] - g->momentum[c][at] / b->mass, kicked = b->v[c] - b->v0[c];
-            work += 0.5 * b->mass * (kicked - freely) * (b->v0[c] + b->v[c]);
+            const double twice = felt < 1.0 ? 2.0 * b->v0[c] + felt * kicked : b->v0[c] + b->v[c];
+            work += 0.5 * b->mass * (kicked - freely) * twice;
             g->v[c][at] = b->v[c];
             if (p->act == CONTACT_DECIDE) g->momentum[c][at] = b->mass * b->v0[c];
         }

@@ -2,35 +2,67 @@
  * arrives. */
 #include "grid/tile_box.h"
 #include "mpm/contact/contact.h"
+#include "mpm/mpm_constants.h"
 #include "mpm/transfer/point_arrays.h"
 #include "mpm/transfer/reach.h"
 #include "mpm/transfer/windows.h"
 
 #include <math.h>
+#include <string.h>
 
-/* Unit normal of a group at a node: towards the other body of the contact where there is one; zero where it is alone or
- * has none. What is outside the contact, such as the gas behind a skin, does not count. */
-static void direction_at(const mpm *s, int blk, int group, ptrdiff_t at, double out[MESH_MAX_DIM])
+/* Directions that two bodies may be apart along, from the first to the second: of their common normal, and of the own normal of each. Where more meet,
+ * and along a line, there is the first alone. */
+enum { ALONG_PAIR, ALONG_FIRST, ALONG_SECOND, DIRECTIONS };
+
+static const field_id reach_field[DIRECTIONS] = {N_REACH, N_REACH_FIRST, N_REACH_SECOND};
+
+static int directions_of(const mpm *s)
+{
+    return s->mesh->dim > 1 ? DIRECTIONS : 1;
+}
+
+/* The groups of the contact at a node: how many, and the first two. What is outside the contact, such as the gas behind a skin, does not count. */
+static int groups_that_meet(const mpm *s, const fields *f, ptrdiff_t at, int group[2])
+{
+    int n = 0;
+    for (int g = 0; g < s->n_groups; ++g) {
+        if (!s->contact->named[g] || !(field_get(f, N_MASS, g, 0)[at] > 0.0)) continue;
+        if (n < 2) group[n] = g;
+        n++;
+    }
+    return n;
+}
+
+static void make_unit(int dim, double n[MESH_MAX_DIM])
+{
+    double length = 0.0;
+    for (int a = 0; a < dim; ++a) length += n[a] * n[a];
+    for (int a = 0; a < dim && length > 0.0; ++a) n[a] /= sqrt(length);
+}
+
+/* Unit normals of a group at a node: towards the other body of the contact where there is one; zero where it is alone or
+ * has none. */
+static void directions_at(const mpm *s, int blk, int group, ptrdiff_t at, double out[DIRECTIONS][MESH_MAX_DIM])
 {
     const fields *f = s->domain->fields[blk];
-    int others = 0, other = group;
-    double length = 0.0;
-    for (int g = 0; g < s->n_groups; ++g) {
-        if (g == group || !s->contact->named[g] || !(field_get(f, N_MASS, g, 0)[at] > 0.0)) continue;
-        others++;
-        other = g;
+    int met[2];
+    const bool meets = s->contact->named[group] && field_get(f, N_MASS, group, 0)[at] > 0.0;
+    const int n = groups_that_meet(s, f, at, met), others = n - (meets ? 1 : 0);
+    const double way = n == 2 && group == met[1] ? -1.0 : 1.0;
+    memset(out, 0, DIRECTIONS * sizeof *out);
+    for (int a = 0; a < s->mesh->dim && meets && others > 0; ++a) {
+        out[ALONG_PAIR][a] = field_get(f, N_NORMAL, group, a)[at];
+        if (others > 1) continue;
+        out[ALONG_FIRST][a] = way * field_get(f, N_NORMAL, met[0], a)[at];
+        out[ALONG_SECOND][a] = -way * field_get(f, N_NORMAL, met[1], a)[at];
+        out[ALONG_PAIR][a] = out[ALONG_FIRST][a] + out[ALONG_SECOND][a];
     }
-    const bool meets = others > 0 && field_get(f, N_MASS, group, 0)[at] > 0.0;
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        out[a] = meets ? field_get(f, N_NORMAL, group, a)[at] : 0.0;
-        if (meets && others == 1) out[a] -= field_get(f, N_NORMAL, other, a)[at];
-        length += out[a] * out[a];
-    }
-    for (int a = 0; a < s->mesh->dim && length > 0.0; ++a) out[a] /= sqrt(length);
+    for (int d = 0; d < DIRECTIONS; ++d) make_unit(s->mesh->dim, out[d]);
 }
 
 /* Directions at the nodes of a tile's window; false where there are none. */
-static bool find_directions(const mpm *s, int blk, int group, const tile_box *t, double (*out)[MESH_MAX_DIM])
+static bool find_directions(const mpm *s, int blk, int group, const tile_box *t,
+                            double (*out)[DIRECTIONS][MESH_MAX_DIM])
 {
     const block *b = &s->mesh->block[blk];
     const int *window = s->windows->window, reach = s->windows->reach;
@@ -43,9 +75,9 @@ static bool find_directions(const mpm *s, int blk, int group, const tile_box *t,
     for (int k = 0; k < nodes[2]; ++k)
         for (int j = 0; j < nodes[1]; ++j)
             for (int i = 0; i < nodes[0]; ++i) {
-                double *d = out[i + window[0] * (j + window[1] * k)];
-                direction_at(s, blk, group, mesh_index(b, first[0] + i, first[1] + j, first[2] + k), d);
-                for (int a = 0; a < s->mesh->dim; ++a) any = any || d[a] != 0.0;
+                double(*d)[MESH_MAX_DIM] = out[i + window[0] * (j + window[1] * k)];
+                directions_at(s, blk, group, mesh_index(b, first[0] + i, first[1] + j, first[2] + k), d);
+                for (int a = 0; a < s->mesh->dim; ++a) any = any || d[ALONG_PAIR][a] != 0.0;
             }
     return any;
 }
@@ -59,29 +91,31 @@ static double half_width(const mpm *s, const point_arrays *p, size_t k)
 }
 
 static void scatter_reach_of_point(const mpm *s, const point_span *r, double half,
-                                   const double (*direction)[MESH_MAX_DIM], double *out)
+                                   const double (*direction)[DIRECTIONS][MESH_MAX_DIM], double *out)
 {
-    const int *window = s->windows->window;
+    const int *window = s->windows->window, count = directions_of(s);
     const double *h = s->mesh->h;
     for (int z = 0; z < r->n[2]; ++z)
         for (int y = 0; y < r->n[1]; ++y)
             for (int x = 0; x < r->n[0]; ++x) {
                 const int node = r->first[0] + x + window[0] * (r->first[1] + y + window[1] * (r->first[2] + z));
-                const double *d = direction[node];
-                const double along =
-                    (r->from[0] - x * h[0]) * d[0] + (r->from[1] - y * h[1]) * d[1] + (r->from[2] - z * h[2]) * d[2];
-                out[node] = fmax(out[node], along + half);
+                const double from[3] = {r->from[0] - x * h[0], r->from[1] - y * h[1], r->from[2] - z * h[2]};
+                for (int c = 0; c < count; ++c) {
+                    const double *d = direction[node][c];
+                    const double along = from[0] * d[0] + from[1] * d[1] + from[2] * d[2];
+                    out[count * node + c] = fmax(out[count * node + c], along + half);
+                }
             }
 }
 
 static void scatter_reach_in_contact(mpm *s, int group, int blk, int tile)
 {
-    double direction[MPM_MAX_WINDOW][MESH_MAX_DIM] = {{0.0}};
+    double direction[MPM_MAX_WINDOW][DIRECTIONS][MESH_MAX_DIM] = {{{0.0}}};
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     bool *any = &s->windows->active[box.number];
     *any = s->contact->near[box.number] != 0 && find_directions(s, blk, group, &box, direction);
     if (!*any) return;
-    double *out = start_reach(s, &box, 1);
+    double *out = start_reach(s, &box, directions_of(s));
     for (int body = 0; body < s->n_bodies; ++body) {
         const size_t *start = s->points[blk][body].tile_start;
         if (s->body[body].group != group) continue;
@@ -89,13 +123,43 @@ static void scatter_reach_in_contact(mpm *s, int group, int blk, int tile)
         for (size_t k = start[tile]; k < start[tile + 1]; ++k) {
             if (!contact_is_near(s, &box, &p, k)) continue;
             const point_span r = span_of_point(s, &box, &p, k);
-            scatter_reach_of_point(s, &r, half_width(s, &p, k), (const double(*)[MESH_MAX_DIM])direction, out);
+            scatter_reach_of_point(s, &r, half_width(s, &p, k), (const double(*)[DIRECTIONS][MESH_MAX_DIM])direction,
+                                   out);
         }
+    }
+}
+
+/* Bodies are apart, or touch, along the direction in which their points have the largest gap (a separating axis): beside the corner of a block that slides on a
+ * plane that is the plane's normal, and their common one, tilted, would hold the block back. */
+static void choose_direction(const mpm *s, int blk, ptrdiff_t at)
+{
+    const fields *f = s->domain->fields[blk];
+    int met[2], best = ALONG_PAIR;
+    double unit[DIRECTIONS][MESH_MAX_DIM], gap[DIRECTIONS];
+    if (groups_that_meet(s, f, at, met) != 2) return;
+    for (int d = 0; d < DIRECTIONS; ++d)
+        gap[d] = -(field_get(f, reach_field[d], met[0], 0)[at] + field_get(f, reach_field[d], met[1], 0)[at]);
+    if (!isfinite(gap[ALONG_PAIR])) return;
+    directions_at(s, blk, met[0], at, unit);
+    for (int d = 1; d < DIRECTIONS; ++d) {
+        const bool some = unit[d][0] != 0.0 || unit[d][1] != 0.0 || unit[d][2] != 0.0;
+        const double more = best == ALONG_PAIR ? MPM_TILTED_NORMAL * s->contact->h : 0.0;
+        if (some && gap[d] > gap[best] + more) best = d;
+    }
+    for (int k = 0; k < 2 && best != ALONG_PAIR; ++k) {
+        for (int a = 0; a < s->mesh->dim; ++a)
+            field_get(f, N_NORMAL, met[k], a)[at] = k == 0 ? unit[best][a] : -unit[best][a];
+        field_get(f, N_REACH, met[k], 0)[at] = field_get(f, reach_field[best], met[k], 0)[at];
     }
 }
 
 floe_status mpm_contact_reach(mpm *s)
 {
-    reach_to_nodes(s, scatter_reach_in_contact, (const field_id[]){N_REACH}, 1);
+    const int count = directions_of(s);
+    reach_to_nodes(s, scatter_reach_in_contact, reach_field, count);
+    for (int b = 0; b < s->mesh->n_blocks && count > 1; ++b) {
+#pragma omp parallel for schedule(static)
+        for (size_t k = 0; k < s->mesh->block[b].size; ++k) choose_direction(s, b, (ptrdiff_t)k);
+    }
     return FLOE_OK;
 }

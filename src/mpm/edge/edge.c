@@ -104,7 +104,8 @@ void edges_let_flow(const mpm *s, edge_group *g)
         double *difference = g->next + k * dim, square = 0.0;
         for (size_t c = 0; c < dim; ++c) square += difference[c] * difference[c];
         const double length = sqrt(square), most = g->line[k].most;
-        for (size_t c = 0; c < dim && length > most; ++c) difference[c] *= most / length;
+        g->line[k].kept = length > most ? most / length : 1.0;
+        for (size_t c = 0; c < dim && length > most; ++c) difference[c] *= g->line[k].kept;
     }
 }
 

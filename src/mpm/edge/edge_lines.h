@@ -24,6 +24,7 @@ typedef struct edge_line {
     double stiffness; /* N/m: k */
     double inertia;   /* kg: a */
     double most;      /* m: |D u| at which it yields, as its solid does */
+    double kept;      /* of its next difference, what its yielding has left; 1: it does not yield */
 } edge_line;
 
 /* Copies of a node in blocks: owned, ghosts, and periodic images. */

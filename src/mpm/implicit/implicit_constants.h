@@ -13,6 +13,9 @@ enum { MPM_MOST_NEWTON = 30, MPM_MOST_CONTACT_ITERATIONS = 60, MPM_MOST_HALVINGS
 /* An iteration that increases the residual by this factor has diverged, unless it is the first, in which parts with little stiffness
  * may rotate. */
 #define MPM_NEWTON_DIVERGED 1e4
+/* Of its stiffness, what a line of edges that yields (edge/edge.h) keeps in the matrix along its force, which does not change: less leaves light nodes without
+ * any, more costs iterations of Newton's method. */
+#define MPM_FLOWING_LINE 1e-3
 /* Difference of grad u for the tangents of a law, and of strains for those of a membrane: an error of as much of the tangent, far
  * above round-off. */
 #define MPM_TANGENT_DIFFERENCE 1e-7

@@ -2,6 +2,7 @@
 #include "mpm/edge/edge.h"
 #include "mpm/edge/edge_lines.h"
 #include "mpm/implicit/implicit.h"
+#include "mpm/implicit/implicit_constants.h"
 
 #include <stdlib.h>
 
@@ -57,29 +58,47 @@ void implicit_edge_force(mpm *s, const double *u, double *internal)
     for (int g = 0; g < count_groups(s); ++g) pull_group(s, g, u, internal);
 }
 
-/* Entry of a pair of taps along an axis, of component c of the matrix, which lie within the matrix's reach of each other, around a
+/* Entry of a pair of taps along an axis, of components c and d of the matrix, which lie within the matrix's reach of each other, around a
  * periodic end where need be. */
-static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const edge_node *to, int axis, int c,
+static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const edge_node *to, int axis, const int c[2],
                      double value)
 {
     const int row = m->row[node_index(s, from)];
     int far = to->at[axis] - from->at[axis];
     if (abs(far) > m->width + m->arm) far += far < 0 ? s->mesh->n[axis] : -s->mesh->n[axis];
-    if (row >= 0) node_matrix_entries(m, row, c, c)[node_matrix_slot_along(m, axis, far)] += value;
+    if (row >= 0) node_matrix_entries(m, row, c[0], c[1])[node_matrix_slot_along(m, axis, far)] += value;
+}
+
+/* Slope of a line's force of component c over its difference of component d: k, and of one that yields k (most/|D u|) (1 - n n^T), n along D u, with a little
+ * along n so that no node is left without. `now` are its differences. */
+static double slope_of_line(const edge_line *l, const double *now, int c, int d)
+{
+    const double same = c == d ? 1.0 : 0.0;
+    if (!(l->kept < 1.0)) return same * l->stiffness;
+    const double along = now[c] * now[d] / (l->most * l->most);
+    return l->stiffness * (l->kept * (same - along) + MPM_FLOWING_LINE * along);
+}
+
+static void assemble_line(const mpm *s, const edge_group *g, const edge_line *l, const double *now, int first,
+                          node_matrix *m)
+{
+    for (int c = 0; c < s->mesh->dim; ++c)
+        for (int d = 0; d < s->mesh->dim; ++d) {
+            const double slope = slope_of_line(l, now, c, d), *w = edge_weights(l, c), *v = edge_weights(l, d);
+            const int at[2] = {first + c, first + d};
+            if (slope == 0.0) continue;
+            for (int i = 0; i < edge_taps(s); ++i)
+                for (int j = 0; j < edge_taps(s); ++j)
+                    add_pair(s, m, &g->node[l->node[i]], &g->node[l->node[j]], l->axis, at, slope * w[i] * v[j]);
+        }
 }
 
 static void assemble_group(const mpm *s, int layer, node_matrix *m)
 {
     const edge_group *g = &s->edges->group[layer];
+    const size_t dim = (size_t)s->mesh->dim;
     for (size_t k = 0; k < g->n_lines; ++k)
-        for (int c = 0; c < s->mesh->dim; ++c) {
-            const edge_line *l = &g->line[k];
-            const double *w = edge_weights(l, c);
-            for (int i = 0; i < edge_taps(s); ++i)
-                for (int j = 0; j < edge_taps(s); ++j)
-                    add_pair(s, m, &g->node[l->node[i]], &g->node[l->node[j]], l->axis, layer * s->mesh->dim + c,
-                             l->stiffness * w[i] * w[j]);
-        }
+        assemble_line(s, g, &g->line[k], g->next + k * dim, layer * s->mesh->dim, m);
 }
 
 void implicit_assemble_edges(mpm *s, node_matrix *m)

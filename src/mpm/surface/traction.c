@@ -17,8 +17,6 @@
 
 enum { SURFACE_DIVISIONS = 4 }; /* surface elements per cell edge, about */
 
-/* A node with this share of the mass of the heaviest node about takes all that the basis gives it. */
-static const double mass_threshold = 3e-4;
 /* One with this share moves a surface with all of its acceleration. */
 static const double steady_mass = 0.1;
 
@@ -207,13 +205,13 @@ static void relative_masses_of_nodes(const mpm *s, int group, const double x[3],
     for (int i = 0; i < st->n; ++i) st->mass[i] = heaviest > 0.0 ? st->mass[i] / heaviest : 1.0;
 }
 
-/* Reduces the weights of nodes with little mass. False: all have enough mass, and nothing has changed. */
-static bool bear_load(place_stencil *st)
+/* Reduces the weights of nodes with less than the share `enough` of the heaviest mass. False: none has less, and nothing has changed. */
+static bool bear_load(place_stencil *st, double enough)
 {
     bool changed = false;
     for (int i = 0; i < st->n; ++i) {
-        if (st->mass[i] >= mass_threshold) continue;
-        st->w[i] *= st->mass[i] / mass_threshold;
+        if (st->mass[i] >= enough) continue;
+        st->w[i] *= st->mass[i] / enough;
         changed = true;
     }
     return changed;
@@ -261,12 +259,13 @@ static void keep_sum(place_stencil *st)
 /* Shares of a surface point's load. The basis alone would load nodes whose support contains the surface but hardly any
  * point: such a force is balanced only by the huge stress of the one point at the edge of the support (75 times the
  * stress there, measured on an annulus with 3 x 3 points a cell). So a node takes of the load as its mass allows, and
- * the others take the rest so that force and moment stay. */
+ * the others take the rest so that force and moment stay. Slopes that vanish with the weights, as CPDI's where a corner
+ * of one domain reaches a node, need more mass. */
 static place_stencil surface_locate(const mpm *s, int group, const double x[3])
 {
     place_stencil st = stencil_at(s, x);
     relative_masses_of_nodes(s, group, x, &st);
-    if (bear_load(&st) && !keep_moments(s, x, &st)) keep_sum(&st);
+    if (bear_load(&st, s->basis->fact.load_mass) && !keep_moments(s, x, &st)) keep_sum(&st);
     return st;
 }
 

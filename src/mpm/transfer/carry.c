@@ -10,6 +10,7 @@
 #include "base/threads.h"
 #include "math/tensor.h"
 #include "mpm/mpm_constants.h"
+#include "mpm/transfer/crowd.h"
 
 /* Takes the part that has a moment out of a change. */
 static void take_moment_out(const mesh *m, double change[9])
@@ -46,23 +47,47 @@ static double least_volume(const mpm_body *b)
     return b->membrane.model ? 1.0 : MPM_LEAST_LUMP_VOLUME;
 }
 
+typedef struct stretch {
+    double *row[9]; /* C_p, by rows of the scene's axes */
+    double least;   /* volume of a lump */
+} stretch;
+
+static void stretch_point(const mpm *s, const stretch *now, size_t k, bool crowded)
+{
+    const int dim = s->mesh->dim;
+    double C[9] = {0.0}, growth = 0.0;
+    for (int a = 0; a < dim; ++a) {
+        for (int b = 0; b < dim; ++b) C[3 * a + b] = now->row[dim * a + b][k];
+        growth += C[4 * a];
+    }
+    if (crowded && growth < 0.0) return;
+    stretch_gradient(s->mesh, s->dt, now->least, C);
+    for (int a = 0; a < dim; ++a)
+        for (int b = 0; b < dim; ++b) now->row[dim * a + b][k] = C[3 * a + b];
+}
+
+/* Where an axis is free of stress a body may be crushed as far as it thickens: its points then fold over each other within a cell, which is no even motion
+ * either. The kinetic energy that a point carries goes with C^2 and the cell, however little of the cell the points still fill, and would grow
+ * in every step. */
+static void stretch_tile(const mpm *s, int body, int blk, int tile, const stretch *now)
+{
+    const bool thickens = s->scene->stress_state != STRESS_FULL;
+    const size_t *start = s->points[blk][body].tile_start;
+    bool crowded[SOLID_CHUNK] = {false};
+    for (size_t k = start[tile]; k < start[tile + 1]; k += SOLID_CHUNK) {
+        const size_t range[2] = {k, k + SOLID_CHUNK < start[tile + 1] ? k + SOLID_CHUNK : start[tile + 1]};
+        if (thickens) find_crowded(s, body, blk, tile, range, crowded);
+        for (size_t i = k; i < range[1]; ++i) stretch_point(s, now, i, crowded[i - k]);
+    }
+}
+
 static void stretch_body(const mpm *s, int blk, int body)
 {
-    const double least = least_volume(&s->body[body]);
-    const fields *f = s->domain->fields[blk];
+    stretch now = {.least = least_volume(&s->body[body])};
     const int dim = s->mesh->dim;
-    double *row[9];
-    for (int c = 0; c < 9; ++c) row[c] = field_next(f, P_AFFINE, body, c < dim * dim ? c : 0);
-    const ptrdiff_t n = (ptrdiff_t)s->points[blk][body].n;
-#pragma omp parallel for schedule(static)
-    for (ptrdiff_t k = 0; k < n; ++k) {
-        double C[9] = {0.0};
-        for (int a = 0; a < dim; ++a)
-            for (int b = 0; b < dim; ++b) C[3 * a + b] = row[dim * a + b][k];
-        stretch_gradient(s->mesh, s->dt, least, C);
-        for (int a = 0; a < dim; ++a)
-            for (int b = 0; b < dim; ++b) row[dim * a + b][k] = C[3 * a + b];
-    }
+    for (int c = 0; c < 9; ++c) now.row[c] = field_next(s->domain->fields[blk], P_AFFINE, body, c < dim * dim ? c : 0);
+#pragma omp parallel for schedule(dynamic, 4)
+    for (int t = 0; t < s->mesh->block[blk].n_tiles; ++t) stretch_tile(s, body, blk, t, &now);
 }
 
 floe_status mpm_stretch_gradients(mpm *s)

@@ -6,6 +6,7 @@
 #include "mpm/loads/point_loads.h"
 #include "mpm/membrane/membrane_points.h"
 #include "mpm/motion/motion.h"
+#include "mpm/mpm_constants.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/light_nodes.h"
 #include "mpm/nodes/wall.h"
@@ -14,6 +15,7 @@
 #include "mpm/step.h"
 #include "mpm/surface/surface_markers.h"
 #include "mpm/surface/traction.h"
+#include "mpm/transfer/crowd.h"
 #include "mpm/transfer/kernels.h"
 #include "mpm/transfer/lanes.h"
 #include "mpm/transfer/point_arrays.h"
@@ -354,4 +356,27 @@ floe_status mpm_grid_pressure(mpm *s)
         }
     }
     return FLOE_OK;
+}
+
+/* Adds the mass of a velocity field per volume of the plane, or per length, at points. */
+static void add_crowd(const mpm *s, int group, int blk, const tile_box *t, const point_arrays *p, const size_t range[2],
+                      double density[SOLID_CHUNK])
+{
+    double window[MPM_MAX_WINDOW], at[SOLID_CHUNK], volume = 1.0;
+    const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
+    load_window(s, blk, t, &mass, 1, window);
+    mirror_masses(s, group, t, window);
+    s->windows->kernel->sample(s->mesh, t, p, range[0], range[1], window, at);
+    for (int a = 0; a < s->mesh->dim; ++a) volume *= s->mesh->h[a];
+    for (size_t k = 0; k < range[1] - range[0]; ++k) density[k] += at[k] / volume;
+}
+
+void find_crowded(const mpm *s, int body, int blk, int tile, const size_t range[2], bool *crowded)
+{
+    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
+    const point_arrays p = points_of(s, blk, body, false, false);
+    double density[SOLID_CHUNK] = {0.0};
+    for (int g = 0; g < s->n_groups; ++g) add_crowd(s, g, blk, &box, &p, range, density);
+    for (size_t k = range[0]; k < range[1]; ++k)
+        crowded[k - range[0]] = density[k - range[0]] * p.volume0[k] > MPM_CROWD * p.mass[k];
 }
