@@ -39,6 +39,10 @@ double cut_snapped_volume(const cut_surface *c, double share, cut_shares *of);
 double cut_snapped_face(const cut_surface *c, double share, cut_shares *of);
 /* Closes cells in which solids overlap (cut_contact.c). */
 floe_status cut_close_contacts(cut_surface *c);
+/* Finds what of a cell is open, once nodes are numbered. */
+typedef floe_status cut_finisher(cut_surface *c, cut_cell *k);
+/* Cells without volume around corners of solids are no passage (cut_corner.c); `finish` is for cells that become cut by that. In the plane. */
+floe_status cut_free_corners(cut_surface *c, cut_finisher *finish);
 /* Nodes of the mesh, and number of one in `node`. */
 int cut_nodes(const mesh *m);
 static inline ptrdiff_t cut_node(const mesh *m, const int node[3])

@@ -2,6 +2,7 @@
 
 #include "io/names.h"
 #include "io/probe.h"
+#include "mpm/surface/boundary.h"
 #include "sim/tracer.h"
 
 #include <math.h>
@@ -231,13 +232,19 @@ static void add_spin(line *l, int body, const char *label, const history_row *ro
         add_value(l, name, "N m s", spin[2]);
 }
 
-/* What others do to a body that does not deform. */
-static void add_motion_columns(line *l, int body, const char *label)
+/* What others do to a body that does not deform; of one that does, what the fluids do beyond a sharp surface. */
+static void add_force_columns(line *l, int body, const char *label)
 {
     const mesh *m = &l->s->mesh;
     double force[3], moment[3];
     char name[2 * NAME_SIZE];
-    if (!mpm_motion_force(l->s->mpm, body, force, moment)) return;
+    if (!mpm_motion_force(l->s->mpm, body, force, moment)) {
+        if (!mpm_boundary_sum_force(l->s->mpm, body, force)) return;
+        for (int a = 0; a < 3; a++) force[a] *= l->whole;
+        (void)snprintf(name, sizeof name, "force_%s", label);
+        add_vector(l, name, "N", force);
+        return;
+    }
     for (int a = 0; a < 3; a++) {
         force[a] *= l->whole;
         moment[a] *= l->whole;
@@ -273,7 +280,7 @@ static void add_body_columns(line *l, int body, const history_row *row)
         add_named(l, "temperature", label, "K", t ? t->heat[body] / (t->mass[body] * b->specific_heat) : 0.0);
     }
     add_spin(l, body, label, row);
-    add_motion_columns(l, body, label);
+    add_force_columns(l, body, label);
     const bool ends = given->membrane.present && given->membrane.surface.kind == SHEET_NONE;
     for (int last = 0; last < 2 && ends && !curve_is_closed(&given->membrane.curve); last++) {
         if (row) mpm_membrane_end(l->s->mpm, body, last == 1, end);

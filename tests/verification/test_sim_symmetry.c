@@ -44,6 +44,8 @@ static const struct {
     {"", "cylinder_channel", 1e-2, true,
      "a sliver joins the larger neighbour, of two alike either; a side that ends in a corner has it or the next one "
      "does"},
+    {"", "turek_hron_cfd", 1e-2, true,
+     "a sliver joins the larger neighbour, of two alike either; points on its edge are the body's or not"},
     {"swap", "extreme/soft_vessel", 1e-5, true, sliver_ties},
     {"move", "extreme/soft_vessel", 1e-5, true, sliver_ties},
     {"mirror", "extreme/soft_vessel", 2e-5, false, chain_thinned},

@@ -86,7 +86,7 @@ void ice_find_cell_sensors(const ice *s, const ice_region *g)
 
 static void find_axis_velocity(const ice *s, const ice_view *v, int axis)
 {
-    const bool diffuses = ice_diffuses(s);
+    const bool diffuses = ice_diffusion_moves_faces(s);
     double *velocity[ICE_MAX_MATERIALS];
     for (int r = 0; r < v->n_materials; ++r) {
         ice_run_faces(v, r, axis, face_velocity_rows[v->dim - 1][v->multi]);

@@ -99,6 +99,8 @@ void ice_merged_increment(const ice *s, const ice_region *g);
 /* Volumes of the merged cells and fluxes out of them, with the boundaries at the velocities of the start of the step, into the sums. */
 void ice_merged_fluxes(const ice *s, ice_merged_cells *p);
 void ice_merged_sources(const ice *s, const ice_region *g);
+/* Force of viscosity and of the drag of walls (N/m3) on merged cells, at t^n. */
+void ice_merged_diffusion_rates(const ice *s, const ice_region *g);
 
 /* Values of a member's faces and of its block. */
 double ice_member_area(const ice *s, const ice_member *k, int axis, int side);
@@ -155,6 +157,8 @@ floe_status ice_renew_fluids(ice *s, const ice_region *g);
 
 /* ---- the implicit pressure (ice_sealed_implicit.c) ---- */
 
+/* Forces of viscosity on all cells of a region at t^n, for the faces (theory 7.8). */
+void ice_sealed_viscous_rates(ice *s, const ice_region *g);
 floe_status ice_cut_system_create(ice *s);
 void ice_cut_system_destroy(context *ctx, struct ice_cut_system **w);
 

@@ -220,6 +220,41 @@ static void add_faces(const ice *s, const ice_merged_cells *p, const ice_member 
     if (diffuses && m->open > 0.0) add_hoop(s, p, m);
 }
 
+/* Stresses on the open faces of a member, times the step. */
+static void add_open_stresses(const ice *s, const ice_merged_cells *p, const ice_member *m)
+{
+    for (int f = 0; f < 2 * s->mesh->dim; ++f) {
+        const double area = (f % 2 == SIDE_UPPER ? s->dt : -s->dt) * ice_member_area(s, m, f / 2, f % 2);
+        if (m->face[f / 2][f % 2] > 0.0) add_face_stress(s, p, m, f / 2, (mesh_side)(f % 2), area);
+    }
+    if (m->open > 0.0) add_hoop(s, p, m);
+}
+
+void ice_merged_diffusion_rates(const ice *s, const ice_region *g)
+{
+    ice_merged_cells *p = ice_merged_cells_of(s, g);
+    ice_clear_merged(p);
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        p->sum[(size_t)m->merged * MERGED_SUMS + MERGED_VOLUME] += m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        add_open_stresses(s, p, m);
+    }
+    for (ice_piece_walk w = ice_first_piece(s, p); ice_next_piece(&w);) {
+        const wall_place place = place_of(&w);
+        double drag[3];
+        ice_wall_drag(s, g, 0, &place, drag);
+        for (int a = 0; a < s->mesh->dim; ++a)
+            p->sum[(size_t)w.member->merged * MERGED_SUMS + MERGED_MOMENTUM + a] -= w.weight * s->dt * drag[a];
+    }
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        for (int a = 0; a < s->mesh->dim; ++a)
+            ice_member_view(s, m)->m[0].diff[a][m->at] =
+                sum[MERGED_VOLUME] > 0.0 ? sum[MERGED_MOMENTUM + a] / (s->dt * sum[MERGED_VOLUME]) : 0.0;
+    }
+}
+
 /* Heat of an enclosed gas goes to its merged cells in proportion to their mass. */
 static void add_gas_heat(const ice *s, ice_merged_cells *p)
 {

@@ -55,10 +55,17 @@ floe_status ice_sealed_pressure(ice *s)
     return for_regions(s, find_pressure);
 }
 
-/* What viscous fluids see of the boundaries in the step. */
+/* What viscous fluids see of the boundaries in the step; with the implicit pressure also what viscosity does to faces. */
+static floe_status find_wall_flow(ice *s, const ice_region *g)
+{
+    TRY(ice_find_wall_flow(s, g));
+    if (s->implicit) ice_sealed_viscous_rates(s, g);
+    return FLOE_OK;
+}
+
 floe_status ice_sealed_wall_flow(ice *s)
 {
-    return for_regions(s, ice_find_wall_flow);
+    return for_regions(s, find_wall_flow);
 }
 
 static floe_status find_velocity(ice *s, const ice_region *g)
@@ -206,11 +213,13 @@ floe_status ice_sealed_pressure_stages(ice *s)
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(m, C_ENERGY_FOUND), WHEN(m, C_VOLUME_FOUND),
                  WHEN(r, C_REACTED), WHEN(slips, C_WALL), WHEN(slips, C_OPEN)));
-    STAGE(s, ice_is_viscous(s), ice_sealed_wall_flow, READS(C_RHO, C_VEL, C_OPEN), WRITES(C_VEL_CENTRED));
+    STAGE(s, ice_is_viscous(s), ice_sealed_wall_flow, READS(C_RHO, C_VEL, C_OPEN),
+          WRITES(C_VEL_CENTRED, WHEN(implicit, C_DIFFUSION), WHEN(implicit, C_DIFFUSION_HEAT)));
     STAGE(s, ALWAYS, ice_sealed_velocity,
-          READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(slips, C_WALL), WHEN(t, C_ENERGY),
-                WHEN(t, C_OPEN), WHEN(m && t, C_KAPPA), WHEN(m && t, C_INTERFACE)),
+          READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(implicit && ice_is_viscous(s), C_DIFFUSION), WHEN(m, C_THETA),
+                WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL),
+                WHEN(slips, C_WALL), WHEN(t, C_ENERGY), WHEN(t, C_OPEN), WHEN(m && t, C_KAPPA),
+                WHEN(m && t, C_INTERFACE)),
           WRITES(F_VEL, C_SHOCK, WHEN(t, C_OPEN), WHEN(t, C_PRESSURE), WHEN(t, C_SLOW_SHOCK), WHEN(t, C_ALONE),
                  WHEN(t, F_PRESSURE), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL)));
     STAGE(s, implicit, ice_sealed_guess,

@@ -24,6 +24,7 @@
 #include "ice/implicit/ice_implicit.h"
 #include "ice/pressure/ice_pressure.h"
 #include "ice/sides/ice_sides.h"
+#include "ice/source/ice_source.h"
 #include "ice/state/ice_walk.h"
 
 #include <float.h>
@@ -192,6 +193,13 @@ static void find_matrix(ice *s, const ice_region *g)
 }
 
 /* ---- before the walls have moved ---- */
+
+void ice_sealed_viscous_rates(ice *s, const ice_region *g)
+{
+    ice_sealed_diffusion_rates(s, g);
+    ice_merged_diffusion_rates(s, g);
+    ice_fill_ghosts(s, C_DIFFUSION, g->first, FILL_CURRENT, GHOST_EVEN);
+}
 
 /* b of theory 3 in whole cells, that of the head in merged ones. */
 static void find_right_side(ice *s, const ice_region *g)

@@ -132,6 +132,8 @@ static floe_status add_cells(ice *s, const ice_region *g, const ice_merged_cells
     for (int k = 0; k < p->n; ++k) {
         TRY(add_fit(s, g, w, p->member[k].cell, -1));
         for (int a = 0; a < s->mesh->dim; ++a) w->cell[k].centroid[a] -= p->member[k].above[a];
+        /* a surface on faces of the mesh may be that of covered cells: its drag is that of the cell in front of it */
+        if (!(p->member[k].open > 0.0)) w->cell[k].host = p->lead[p->member[k].merged];
     }
     for (int k = 0; k < p->n; ++k) {
         int step[3], cell[3];
@@ -185,8 +187,9 @@ static floe_status add_samples(ice *s, const ice_region *g, ice_wall_flow *w)
         for (int n = 0; n < c->n_pieces; ++n) {
             wall_sample *q = &w->sample[w->n_samples];
             set_sample(s, line, &c->piece[n], outward, q);
-            const int fit = w->fit_of[cut_index(s->mesh, q->place.cell)];
+            int fit = w->fit_of[cut_index(s->mesh, q->place.cell)];
             if (fit < 0 || !(q->size > 0.0)) continue;
+            fit = w->cell[fit].host;
             q->next = w->first[fit];
             w->first[fit] = w->n_samples++;
         }
@@ -468,7 +471,8 @@ void ice_wall_drag(const ice *s, const ice_region *g, int r, const wall_place *w
 {
     const ice_wall_flow *flow = s->sealing->wall[g->number];
     const ice_material *m = &s->material[g->first + r];
-    const int dim = s->mesh->dim, fit = flow->fit_of[cut_index(s->mesh, w->cell)];
+    const int dim = s->mesh->dim, own = flow->fit_of[cut_index(s->mesh, w->cell)];
+    const int fit = own < 0 ? -1 : flow->cell[own].host;
     const double mu = m->shear_viscosity, dilatation = m->bulk_viscosity - 2.0 / 3.0 * mu;
     double G[3][3], div = 0.0;
     for (int a = 0; a < dim; ++a) drag[a] = 0.0;

@@ -425,6 +425,24 @@ void ice_diffuse_sealed(const ice *s, const ice_region *g)
     }
 }
 
+static void sealed_rates_of(const ice *s, const ice_view *v, int r)
+{
+    (void)s;
+    double *const *u = v->m[r].centred;
+    const diffusing d = diffusing_of(v, r, (const double *const[3]){u[0], u[1], u[2]}, NULL);
+    each_row(v, r, &d, rate_rows);
+}
+
+bool ice_diffusion_moves_faces(const ice *s)
+{
+    return ice_diffuses(s) || (s->cut && s->implicit && ice_is_viscous(s));
+}
+
+void ice_sealed_diffusion_rates(const ice *s, const ice_region *g)
+{
+    for (int r = 0; r < g->n; ++r) each_block(s, g, r, sealed_rates_of);
+}
+
 void ice_find_temperatures(const ice *s, const ice_region *g)
 {
     for (int r = 0; r < g->n; ++r) {

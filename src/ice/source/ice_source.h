@@ -9,6 +9,10 @@ bool ice_conducts(const ice *s);
  * rates at the start of the step are known, and it is of second order in time. */
 bool ice_has_diffusion(const ice *s);
 bool ice_diffuses(const ice *s);
+/* Whether viscosity moves the faces: where ice_diffuses, and beside embedded boundaries with the implicit pressure. */
+bool ice_diffusion_moves_faces(const ice *s);
+/* Force of viscosity (N/m3) on each whole cell of a region beside embedded boundaries, at t^n. */
+void ice_sealed_diffusion_rates(const ice *s, const ice_region *g);
 
 /* Half a step's force on the face velocities, and half a step's heat on the advanced pressure (the array P); a whole step's of
  * both where the implicit pressure is at its end. */

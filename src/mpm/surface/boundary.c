@@ -144,6 +144,16 @@ void mpm_boundary_clear(mpm *s)
         memset(s->surfaces->markers.force, 0, 3 * s->surfaces->markers.n * sizeof *s->surfaces->markers.force);
 }
 
+bool mpm_boundary_sum_force(const mpm *s, int body, double force[3])
+{
+    if (!s->surfaces || s->surfaces->markers.n == 0) return false;
+    const surface_markers *k = &s->surfaces->markers;
+    for (int a = 0; a < 3; ++a) force[a] = 0.0;
+    for (size_t n = k->of_body[body]; n < k->of_body[body + 1]; ++n)
+        for (size_t a = 0; a < 3; ++a) force[a] += k->force[3 * n + a];
+    return k->of_body[body + 1] > k->of_body[body];
+}
+
 void mpm_boundary_responds(mpm *s, wall_response *w)
 {
     s->surfaces->fluids = w;

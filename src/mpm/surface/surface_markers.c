@@ -311,8 +311,11 @@ static floe_status seed_on_body(mpm *s, const mpm_body *b)
 
 floe_status seed_markers(mpm *s)
 {
-    for (int b = 0; b < s->n_bodies; ++b) TRY(seed_on_body(s, &s->body[b]));
     surface_markers *k = &s->surfaces->markers;
+    for (int b = 0; b < s->n_bodies; ++b) {
+        TRY(seed_on_body(s, &s->body[b]));
+        k->of_body[b + 1] = k->n;
+    }
     if (k->n == 0)
         return fail_key(s->ctx, KEY("method", "interface"),
                         "sharp: no solid has a surface inside the domain; leave it out");

@@ -33,10 +33,11 @@ typedef struct surface_marker {
 typedef struct surface_markers {
     size_t n;
     surface_marker *now, *next;
-    int *group;    /* velocity field of each */
-    int *pin;      /* bit a: it stays on a side of the mesh across axis a */
-    double *force; /* N, three each: forces of the gas in the step */
-    double *path;  /* m, three each: displacement over which these forces do work */
+    size_t of_body[SCENE_MAX_BODIES + 1]; /* the first of each of our bodies, and behind the last */
+    int *group;                           /* velocity field of each */
+    int *pin;                             /* bit a: it stays on a side of the mesh across axis a */
+    double *force;                        /* N, three each: forces of the gas in the step */
+    double *path;                         /* m, three each: displacement over which these forces do work */
     cut_chain *chain;
     int *beside; /* of each chain: the fluid of the cells that it holds back, by its number in the scene */
     int n_chains;
