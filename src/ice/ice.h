@@ -132,9 +132,8 @@ void ice_destroy(ice **s);
 floe_status ice_register(ice *s, domain *d);
 /* Sets cell states from the scene's bodies (exact volume fractions by geom) and the ambient, which fills the rest;
  * fluids fill at most what `taken` leaves (volume fraction of solids; per block, size of a cell array; NULL: none).
- * Under gravity, fluids that are given by pressure and temperature at rest start as columns at rest: their pressure is
- * then the one in the highest cells (against gravity), and follows p_j = p_j+1 + |g| h (rho_j + rho_j+1)/2 below
- * (theory 2.4). */
+ * Under gravity the weight of what is above a cell is added to the pressure that it was given: columns of one given pressure
+ * are at rest (theory 2.4). */
 floe_status ice_initialise(ice *s, double *const *taken);
 
 /* Rolls back the current step: restores the state where its stages have changed it (closure of cells of several fluids

@@ -308,11 +308,40 @@ static void test_bits(void **unused)
     same_bits_however_run(run);
 }
 
+/* ---- a charge under gravity ---- */
+
+/* A burst of hot gas at 10 bar beside a fixed disc in the air above water keeps the energy that it was given, to the weight of the fluids above
+ * (5 kPa at most). */
+static void test_charge(void **unused)
+{
+    (void)unused;
+    const char *set[] = {
+        AIR,
+        WATER("6e8"),
+        PLATE("4e9", "2e9"),
+        PLANE,
+        SEA("{lower: [0, 0], upper: [1, 0.5]}"),
+        "bodies.plate={material: plate, shape: {ball: {centre: [0.71, 0.57], radius: 0.13}}, motion: fixed}",
+        "bodies.charge={material: air, shape: {box: {lower: [0.1, 0.7], upper: [0.4, 0.9]}}, pressure: 1e6, "
+        "temperature: 900}",
+        "supports=null"};
+    trial t;
+    ice_totals sum;
+    begin(&t, set, sizeof set / sizeof *set);
+    check_ok(t.ctx, ice_sum(t.sim->ice, &sum));
+    const double disc = PI * 0.13 * 0.13, air = 0.5 - 0.06 - disc + segment(0.13, 0.06);
+    const double expected = (1e6 * 0.06 + 1e5 * air) / 0.4;
+    print_message("a charge under gravity: energy of the air %.2g off\n", sum.internal[0] / expected - 1.0);
+    check_close_relative(sum.internal[0], expected, 1e-3);
+    trial_end(&t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rest),   cmocka_unit_test(test_carried), cmocka_unit_test(test_film),
-        cmocka_unit_test(test_hammer), cmocka_unit_test(test_shock),   cmocka_unit_test(test_bits),
+        cmocka_unit_test(test_hammer), cmocka_unit_test(test_shock),   cmocka_unit_test(test_charge),
+        cmocka_unit_test(test_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

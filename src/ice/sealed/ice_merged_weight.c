@@ -2,7 +2,7 @@
  * of their open volume; elsewhere in them the pressure is P + rho g . (x - centroid), whose forces on faces and pieces add up to their weight (Gauss). The
  * stages of whole cells use the pressure at the centres of cells, so that their differences balance as those of a plain column do (theory 2.4). */
 #include "ice/sealed/ice_merged_cells.h"
-#include "ice/state/ice_fluid_state.h"
+#include "ice/state/ice_given.h"
 
 #include "base/memory.h"
 
@@ -112,6 +112,7 @@ typedef struct rest_fill {
     ice *s;
     const ice_merged_cells *p;
     double *pressure;    /* Pa, of every cell; NaN: not reached; owned */
+    double *given;       /* Pa: what it was given before, once it is reached; owned */
     int *queue, n, next; /* cells reached; owned */
 } rest_fill;
 
@@ -130,57 +131,28 @@ static const ice_view *view_at(const ice *s, const int cell[3], ptrdiff_t *at)
     return v;
 }
 
-/* What a cell has, of which the pressure is to be found: volume fractions and temperatures. */
-typedef struct filling {
-    const ice_view *v;
-    double theta[ICE_MAX_MATERIALS], T[ICE_MAX_MATERIALS];
-} filling;
-
-static filling filling_of(const ice *s, const int cell[3])
-{
-    ptrdiff_t at;
-    filling q = {.v = view_at(s, cell, &at)};
-    for (int r = 0; r < q.v->n_materials; ++r) {
-        const ice_fluid *m = &q.v->m[r];
-        const eos *law = &q.v->material[r].eos;
-        const double density = q.v->multi ? 1.0 / m->vol[at] : m->rho[at];
-        if (!(m->rho[at] > 0.0)) continue;
-        q.theta[r] = q.v->multi ? m->rho[at] * m->vol[at] : 1.0;
-        law->model->temperature(law->par, 1, &density, &m->e[at], &q.T[r]);
-    }
-    return q;
-}
-
-static double density_of(const filling *q, double p)
-{
-    double sum = 0.0;
-    for (int r = 0; r < q->v->n_materials; ++r)
-        if (q->theta[r] > 0.0) sum += q->theta[r] * ice_state_at(&q->v->material[r].eos, p, q->T[r]).rho;
-    return sum;
-}
-
-/* The pressure that a cell was given, of any fluid in it. */
-static double pressure_at(const ice *s, const int cell[3])
+/* What a cell was given, also once its pressure at rest has been set but for that pressure. */
+static ice_given given_in(const ice *s, const int cell[3])
 {
     ptrdiff_t at;
     const ice_view *v = view_at(s, cell, &at);
-    double p = 0.0, c2;
+    ice_given out = {0};
     for (int r = 0; r < v->n_materials; ++r) {
-        const eos *law = &v->material[r].eos;
-        const double density = v->multi ? 1.0 / v->m[r].vol[at] : v->m[r].rho[at];
-        if (!(v->m[r].rho[at] > 0.0)) continue;
-        law->model->pressure(law->par, 1, &density, &v->m[r].e[at], &p, &c2);
-        break;
+        const ice_fluid *m = &v->m[r];
+        const double pure = v->multi ? 1.0 / m->vol[at] : m->rho[at];
+        if (!(m->rho[at] > 0.0)) continue;
+        ice_given_add(&out, r, &v->material[r].eos, ice_is_given_by_density(s->scene, v->material[r].scene_material),
+                      v->multi ? m->rho[at] * m->vol[at] : 1.0, pure, m->e[at]);
     }
-    return p;
+    return out;
 }
 
 /* Pressure p of a cell with p = base + weight (share rho(p) + other). */
-static double solve_pressure(const filling *q, double base, double weight, double share, double other)
+static double solve_pressure(const ice_given *q, double base, double weight, double share, double other)
 {
     double p = base;
     for (int pass = 0; pass < 60; ++pass) {
-        const double next = base + weight * (share * density_of(q, p) + other);
+        const double next = base + weight * (share * ice_given_density(q, p) + other);
         if (next == p) break;
         p = next;
     }
@@ -194,9 +166,10 @@ static bool has_gas(const ice *s, const int cell[3])
     return v->m[0].open[at] > 0.0;
 }
 
-static void mark_reached(rest_fill *f, int number, double p)
+static void mark_reached(rest_fill *f, int number, double given, double p)
 {
     f->pressure[number] = p;
+    f->given[number] = given;
     f->queue[f->n++] = number;
 }
 
@@ -207,8 +180,8 @@ static void reach_beside(rest_fill *f, int number)
     const mesh *m = s->mesh;
     int here[3];
     cell_at(m, number, here);
-    const filling own = filling_of(s, here);
-    const double rho = density_of(&own, f->pressure[number]);
+    const ice_given own = given_in(s, here);
+    const double rho = ice_given_density(&own, f->pressure[number]);
     for (int side = 0; side < 2 * m->dim; ++side) {
         int cell[3] = {here[0], here[1], here[2]};
         const int axis = side / 2, step = side % 2 == SIDE_UPPER ? 1 : -1;
@@ -217,9 +190,10 @@ static void reach_beside(rest_fill *f, int number)
         if (!(ice_open_face(s, f->p->region->number, SEAL_NOW, here, axis, side % 2) > 0.0)) continue;
         const int other = (int)cut_index(m, cell);
         if (!isnan(f->pressure[other])) continue;
-        const double weight = 0.5 * step * s->gravity[axis] * m->h[axis];
-        const filling next = filling_of(s, cell);
-        mark_reached(f, other, solve_pressure(&next, f->pressure[number], weight, 1.0, rho));
+        const double weight = 0.5 * step * ice_weight_along(s, axis) * m->h[axis];
+        const ice_given next = given_in(s, cell);
+        const double base = f->pressure[number] + ice_given_rise(&own, &next);
+        mark_reached(f, other, next.p, solve_pressure(&next, base, weight, 1.0, rho));
     }
 }
 
@@ -229,7 +203,7 @@ static double height_of(const ice *s, int number)
     int cell[3];
     double sum = 0.0;
     cell_at(s->mesh, number, cell);
-    for (int a = 0; a < s->mesh->dim; ++a) sum -= s->gravity[a] * mesh_centre(s->mesh, a, cell[a]);
+    for (int a = 0; a < s->mesh->dim; ++a) sum -= ice_weight_along(s, a) * mesh_centre(s->mesh, a, cell[a]);
     return sum;
 }
 
@@ -246,23 +220,25 @@ static int highest_cell(const rest_fill *f, int cells)
     return found;
 }
 
-static void set_state(const ice *s, const int cell[3], const filling *q, double p)
+static floe_status set_state(const ice *s, const int cell[3], const ice_given *q, double p)
 {
     ptrdiff_t at;
     const ice_view *v = view_at(s, cell, &at);
-    for (int r = 0; r < v->n_materials; ++r) {
-        if (!(q->theta[r] > 0.0)) continue;
-        const ice_reservoir state = ice_state_at(&v->material[r].eos, p, q->T[r]);
+    for (int r = 0; r < q->n; ++r) {
+        ice_reservoir state;
+        if (!q->law[r]) continue;
+        TRY(ice_given_state(s, q, r, p, &state));
         v->m[r].rho[at] = q->theta[r] * state.rho;
         v->m[r].e[at] = state.e;
         if (v->multi) v->m[r].vol[at] = state.v;
     }
     if (v->multi) field_get(s->domain->fields[v->b->id], C_PRESSURE, v->region, 0)[at] = p;
+    return FLOE_OK;
 }
 
 /* Pressure at the centre of merged cells: the one that balances that of a whole cell above or below it. Where it has none, that
  * of their largest cell. */
-static double balance_merged_cell(const rest_fill *f, int merged, const filling *own)
+static double balance_merged_cell(const rest_fill *f, int merged, const ice_given *own)
 {
     const ice *s = f->s;
     const mesh *m = s->mesh;
@@ -273,58 +249,63 @@ static double balance_merged_cell(const rest_fill *f, int merged, const filling 
             int cell[3] = {q->cell[0], q->cell[1], q->cell[2]};
             const int axis = side / 2, step = side % 2 == SIDE_UPPER ? 1 : -1;
             cell[axis] += step;
-            if (s->gravity[axis] == 0.0 || cell[axis] < 0 || cell[axis] >= m->n[axis]) continue;
+            if (ice_weight_along(s, axis) == 0.0 || cell[axis] < 0 || cell[axis] >= m->n[axis]) continue;
             if (f->p->place[cut_index(m, cell)] >= 0 || !(q->open > 0.0) || !has_gas(s, cell)) continue;
             if (!(ice_open_face(s, f->p->region->number, SEAL_NOW, q->cell, axis, side % 2) > 0.0)) continue;
+            const int beside = (int)cut_index(m, cell);
+            double lever = 0.0, rho = 0.0;
             ptrdiff_t at;
             const ice_view *v = view_at(s, cell, &at);
-            double rho = 0.0;
             for (int r = 0; r < v->n_materials; ++r) rho += v->m[r].rho[at];
-            const double half = 0.5 * step * s->gravity[axis] * m->h[axis];
-            double lever = 0.0;
-            for (int a = 0; a < m->dim; ++a) lever += s->gravity[a] * q->above[a];
+            ice_given whole = given_in(s, cell);
+            whole.p = f->given[beside];
+            const double half = 0.5 * step * ice_weight_along(s, axis) * m->h[axis];
+            for (int a = 0; a < m->dim; ++a) lever += ice_weight_along(s, a) * q->above[a];
             /* p + rho' lever = p_cell - half (rho + rho') */
-            return solve_pressure(own, f->pressure[cut_index(m, cell)] - half * rho, -1.0, half + lever, 0.0);
+            const double base = f->pressure[beside] - half * rho + ice_given_rise(&whole, own);
+            return solve_pressure(own, base, -1.0, half + lever, 0.0);
         }
     }
     double lever = 0.0;
-    for (int a = 0; a < m->dim; ++a) lever += s->gravity[a] * lead->above[a];
+    for (int a = 0; a < m->dim; ++a) lever += ice_weight_along(s, a) * lead->above[a];
     return solve_pressure(own, f->pressure[cut_index(m, lead->cell)], -1.0, lever, 0.0);
 }
 
-static void fill_merged_cells(const rest_fill *f)
+static floe_status fill_merged_cells(const rest_fill *f)
 {
     const ice *s = f->s;
     for (int n = 0; n < f->p->count; ++n) {
         const ice_member *lead = &f->p->member[f->p->lead[n]];
         if (!has_gas(s, lead->cell)) continue;
-        const filling own = filling_of(s, lead->cell);
+        const ice_given own = given_in(s, lead->cell);
         const double p = balance_merged_cell(f, n, &own);
         for (int k = 0; k < f->p->n; ++k)
             if (f->p->member[k].merged == n && has_gas(s, f->p->member[k].cell))
-                set_state(s, f->p->member[k].cell, &own, p);
+                TRY(set_state(s, f->p->member[k].cell, &own, p));
     }
+    return FLOE_OK;
 }
 
-/* Whole cells first, at the temperatures that they were given; then merged cells, in balance with them. */
-static void fill_regions(rest_fill *f, int cells)
+/* Whole cells first, at the temperatures or densities that they were given; then merged cells, in balance with them. */
+static floe_status fill_regions(rest_fill *f, int cells)
 {
     const ice *s = f->s;
     for (int k = 0; k < cells; ++k) f->pressure[k] = NAN;
     for (int top = highest_cell(f, cells); top >= 0; top = highest_cell(f, cells)) {
         int cell[3];
         cell_at(s->mesh, top, cell);
-        mark_reached(f, top, pressure_at(s, cell));
+        const double given = given_in(s, cell).p;
+        mark_reached(f, top, given, given);
         while (f->next < f->n) reach_beside(f, f->queue[f->next++]);
     }
     for (int k = 0; k < f->n; ++k) {
         int cell[3];
         cell_at(s->mesh, f->queue[k], cell);
         if (f->p->place[f->queue[k]] >= 0) continue;
-        const filling own = filling_of(s, cell);
-        set_state(s, cell, &own, f->pressure[f->queue[k]]);
+        const ice_given own = given_in(s, cell);
+        TRY(set_state(s, cell, &own, f->pressure[f->queue[k]]));
     }
-    fill_merged_cells(f);
+    return fill_merged_cells(f);
 }
 
 static floe_status bring_to_rest(ice *s, const ice_region *g)
@@ -333,9 +314,11 @@ static floe_status bring_to_rest(ice *s, const ice_region *g)
     rest_fill f = {.s = s, .p = &s->sealing->now[g->number]};
     ice_seal_views(s, g);
     floe_status status = memory_new(s->ctx, &f.pressure, (size_t)cells, sizeof *f.pressure);
+    if (status == FLOE_OK) status = memory_new(s->ctx, &f.given, (size_t)cells, sizeof *f.given);
     if (status == FLOE_OK) status = memory_new(s->ctx, &f.queue, (size_t)cells, sizeof *f.queue);
-    if (status == FLOE_OK) fill_regions(&f, cells);
+    if (status == FLOE_OK) status = fill_regions(&f, cells);
     memory_free(s->ctx, &f.pressure);
+    memory_free(s->ctx, &f.given);
     memory_free(s->ctx, &f.queue);
     return status;
 }

@@ -100,7 +100,7 @@ bool ice_rests_behind(const ice_side_face *here)
 }
 
 /* Speed of the flow into the domain: of all fluids of the cell, so that one answer holds for all of them. */
-static double speed_inward(const ice *s, const fields *f, ptrdiff_t at, int axis, mesh_side side, int r)
+static double speed_of_cell(const ice *s, const fields *f, ptrdiff_t at, int axis, mesh_side side, int r)
 {
     double mass = 0.0, momentum = 0.0;
     for (int q = 0; q < s->n_materials; ++q) {
@@ -110,6 +110,37 @@ static double speed_inward(const ice *s, const fields *f, ptrdiff_t at, int axis
         momentum += rho * field_get(f, C_VEL, q, axis)[at];
     }
     return mass > 0.0 ? (side == SIDE_LOWER ? momentum : -momentum) / mass : 0.0;
+}
+
+/* Pressure of a cell and impedance rho c of all its fluids. */
+static void find_wave(const ice *s, const fields *f, ptrdiff_t at, const ice_region *g, double *p, double *z)
+{
+    double mass = 0.0, compliance = 0.0;
+    *p = (double)NAN;
+    for (int q = g->first; q < g->first + g->n; ++q) {
+        const double rho = field_get(f, C_RHO, q, 0)[at];
+        if (s->material[q].points || !(rho > 0.0)) continue;
+        const eos *law = &s->material[q].eos;
+        const double pure = g->n > 1 ? 1.0 / field_get(f, C_VOL, q, 0)[at] : rho;
+        double own, c2;
+        law->model->pressure(law->par, 1, &pure, &field_get(f, C_ENERGY, q, 0)[at], &own, &c2);
+        if (isnan(*p)) *p = own;
+        mass += rho;
+        compliance += rho / (pure * pure * c2);
+    }
+    *z = sqrt(mass / compliance);
+}
+
+/* Speed at which a fluid enters. From a reservoir it is that of its face: into a cell at rest at a lower pressure it enters at once, as
+ * dense as the reservoir's fluid is at that speed. */
+static double speed_inward(const ice *s, const fields *f, const ice_side_face *here, ptrdiff_t at, int axis,
+                           mesh_side side, int r)
+{
+    const double own = speed_of_cell(s, f, at, axis, side, r);
+    double p, z;
+    if (here->condition->kind != BC_RESERVOIR) return own;
+    find_wave(s, f, at, ice_region_of(s, r), &p, &z);
+    return z > 0.0 ? -from_reservoir(s, here, p - z * own, z).velocity : own;
 }
 
 /* Where flow leaves, nothing is changed. */
@@ -122,7 +153,7 @@ void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_
         return;
     const eos *law = &s->material[ice_material_of(s, wall->material)].eos;
     const double inward = side == SIDE_LOWER ? 1.0 : -1.0,
-                 speed = fmin(speed_inward(s, f, at, axis, side, r), sound_speed_behind(law, &here->behind));
+                 speed = fmin(speed_inward(s, f, here, at, axis, side, r), sound_speed_behind(law, &here->behind));
     const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
     if (!(speed > 0.0)) return;
     double value = kind == GHOST_VELOCITY && component == axis ? inward * speed : 0.0;

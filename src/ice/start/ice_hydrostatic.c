@@ -1,103 +1,142 @@
 /* Columns at rest (theory 2.4): where gravity acts, cell states are set so that p_j - p_j+1 = |g| h (rho_j +
- * rho_j+1)/2 from each cell to the one below it, for which face velocities and face pressures balance to round-off. One
- * gravity axis, and the highest cells keep the pressure that they were given. */
+ * rho_j+1)/2 from each cell to the one below it, for which face velocities and face pressures balance to round-off. The
+ * highest cell keeps the pressure that it was given, and where the given pressure jumps from cell to cell, as at a charge, so does that
+ * at rest. */
 #include "ice/start/ice_start.h"
 #include "ice/state/ice_cell_numbers.h"
-#include "ice/state/ice_fluid_state.h"
-#include "ice/state/ice_materials.h"
-#include "scene/formula.h"
+#include "ice/state/ice_given.h"
+
+#include "base/memory.h"
 
 #include <math.h>
 
-bool ice_asks_for_rest(const ice *s)
-{
-    const scene *given = s->scene;
-    for (int b = 0; b < given->n_bodies; ++b) {
-        const scene_body *body = &given->body[b];
-        if (given->material[body->material].kind != MATERIAL_FLUID) continue;
-        if (body->initial_from_exact || !isnan(body->density) || scene_formula_of(given, &body->pressure)) return false;
-        for (int a = 0; a < s->mesh->dim; ++a)
-            if (body->velocity[a] != 0.0 || scene_formula_of(given, &body->velocity[a])) return false;
-    }
-    return true;
-}
+/* One cell on the way down: what it was given, and its pressure and density at rest. */
+typedef struct level {
+    ice_given given;
+    double p, rho;
+} level;
 
-/* The axis of gravity; -1 without, or where it lies along no axis. */
-static int gravity_axis(const ice *s)
+static ice_given given_in_cell(const ice *s, ice_owned_cell c)
 {
-    int axis = -1;
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        if (s->gravity[a] == 0.0) continue;
-        if (axis >= 0) return -1;
-        axis = a;
-    }
-    return axis;
-}
-
-/* Densities of a cell at pressure p with its fractions and temperatures; returns their sum. Sets state when asked
- * to. */
-static double density_at(const ice *s, ice_owned_cell c, double p, const double *theta, const double *T, bool set)
-{
-    double sum = 0.0;
+    ice_given out = {0};
     for (int r = 0; r < s->n_materials; ++r) {
-        if (!(theta[r] > 0.0)) continue;
-        const ice_reservoir state = ice_state_at(&s->material[r].eos, p, T[r]);
-        sum += theta[r] * state.rho;
-        if (!set || s->material[r].points) continue;
-        field_get(c.f, C_RHO, r, 0)[c.at] = theta[r] * state.rho;
+        const double rho = field_get(c.f, C_RHO, r, 0)[c.at];
+        if (s->material[r].points || !(rho > 0.0)) continue;
+        const double pure = ice_is_mixture(s) ? 1.0 / field_get(c.f, C_VOL, r, 0)[c.at] : rho;
+        ice_given_add(&out, r, &s->material[r].eos, ice_is_given_by_density(s->scene, s->material[r].scene_material),
+                      rho / pure, pure, field_get(c.f, C_ENERGY, r, 0)[c.at]);
+    }
+    return out;
+}
+
+static floe_status set_cell(const ice *s, ice_owned_cell c, level *here)
+{
+    here->rho = 0.0;
+    for (int r = 0; r < here->given.n; ++r) {
+        ice_reservoir state;
+        if (!here->given.law[r]) continue;
+        TRY(ice_given_state(s, &here->given, r, here->p, &state));
+        here->rho += here->given.theta[r] * state.rho;
+        field_get(c.f, C_RHO, r, 0)[c.at] = here->given.theta[r] * state.rho;
         field_get(c.f, C_ENERGY, r, 0)[c.at] = state.e;
         if (ice_is_mixture(s)) field_get(c.f, C_VOL, r, 0)[c.at] = state.v;
     }
-    if (set) field_get(c.f, C_PRESSURE, 0, 0)[c.at] = p;
+    field_get(c.f, C_PRESSURE, 0, 0)[c.at] = here->p;
+    return FLOE_OK;
+}
+
+/* The pressure below another cell, with half the weight of each between them. A cell of solids alone passes on what was given above. */
+static void go_down(const level *above, double weight, level *here)
+{
+    if (here->given.n == 0) {
+        here->given.p = above->given.p;
+        here->given.stiffness = above->given.stiffness;
+    }
+    const double base = above->p + ice_given_rise(&above->given, &here->given);
+    here->p = base;
+    for (int iteration = 0; iteration < 60; ++iteration) {
+        const double next = base + weight * (above->rho + ice_given_density(&here->given, here->p));
+        const bool done = next == here->p;
+        here->p = next;
+        if (done) break;
+    }
+}
+
+static double density_in(const ice *s, ice_owned_cell c)
+{
+    double sum = 0.0;
+    for (int r = 0; r < s->n_materials; ++r)
+        if (!s->material[r].points) sum += field_get(c.f, C_RHO, r, 0)[c.at];
     return sum;
 }
 
-/* Fractions and temperatures of a cell as it was initialised. */
-static void initial_composition(const ice *s, ice_owned_cell c, double *theta, double *T)
+/* From the highest cell of a column down, or, where an earlier column has set that one, from the next. */
+static floe_status rest_column(const ice *s, const double *given, int cell[MESH_MAX_DIM], int axis, bool top_is_set)
 {
-    for (int r = 0; r < s->n_materials; ++r) {
-        const double rho = field_get(c.f, C_RHO, r, 0)[c.at];
-        theta[r] = 0.0;
-        if (s->material[r].points || !(rho > 0.0)) continue;
-        const double pure = ice_is_mixture(s) ? 1.0 / field_get(c.f, C_VOL, r, 0)[c.at] : rho;
-        theta[r] = rho / pure;
-        s->material[r].eos.model->temperature(s->material[r].eos.par, 1, &pure, &field_get(c.f, C_ENERGY, r, 0)[c.at],
-                                              &T[r]);
+    const double along = ice_weight_along(s, axis), weight = 0.5 * fabs(along) * s->mesh->h[axis];
+    level above = {0};
+    for (int step = 0; step < s->mesh->n[axis]; ++step) {
+        cell[axis] = along < 0.0 ? s->mesh->n[axis] - 1 - step : step;
+        const ice_owned_cell c = ice_find_cell(s, cell);
+        level here = {.given = given_in_cell(s, c)};
+        here.given.p = given[ice_cell_number(s->mesh, cell)];
+        here.p = here.given.p;
+        if (step > 0) go_down(&above, weight, &here);
+        if (step == 0 && top_is_set) {
+            here.p = field_get(c.f, C_PRESSURE, 0, 0)[c.at];
+            here.rho = density_in(s, c);
+        } else {
+            TRY(set_cell(s, c, &here));
+        }
+        above = here;
     }
+    return FLOE_OK;
 }
 
-static void rest_column(const ice *s, int cell[MESH_MAX_DIM], int axis)
+/* The columns along an axis: those that begin in the highest layer of the axes still to come. */
+static floe_status rest_columns(const ice *s, const double *given, int axis, bool tops_are_set)
 {
-    const int n = s->mesh->n[axis], down = s->gravity[axis] < 0.0 ? -1 : 1;
-    const double weight = 0.5 * fabs(s->gravity[axis]) * s->mesh->h[axis];
-    double above_p = 0.0, above_rho = 0.0, theta[ICE_MAX_MATERIALS], T[ICE_MAX_MATERIALS];
-    for (int step = 0; step < n; ++step) {
-        cell[axis] = down < 0 ? n - 1 - step : step;
-        const ice_owned_cell c = ice_find_cell(s, cell);
-        initial_composition(s, c, theta, T);
-        double p = step == 0 ? field_get(c.f, C_PRESSURE, 0, 0)[c.at] : above_p;
-        for (int iteration = 0; iteration < 60 && step > 0; ++iteration) {
-            const double next = above_p + weight * (above_rho + density_at(s, c, p, theta, T, false));
-            const bool done = next == p;
-            p = next;
-            if (done) break;
-        }
-        above_rho = density_at(s, c, p, theta, T, true);
-        above_p = p;
+    int first[3] = {0, 0, 0}, end[3] = {s->mesh->n[0], s->mesh->n[1], s->mesh->n[2]};
+    end[axis] = 1;
+    for (int a = axis + 1; a < s->mesh->dim; ++a) {
+        const double along = ice_weight_along(s, a);
+        if (along == 0.0) continue;
+        first[a] = along < 0.0 ? s->mesh->n[a] - 1 : 0;
+        end[a] = first[a] + 1;
     }
+    for (int k = first[2]; k < end[2]; ++k)
+        for (int j = first[1]; j < end[1]; ++j)
+            for (int i = first[0]; i < end[0]; ++i) {
+                int cell[MESH_MAX_DIM] = {i, j, k};
+                TRY(rest_column(s, given, cell, axis, tops_are_set));
+            }
+    return FLOE_OK;
+}
+
+/* What each cell was given, before any of them changes. */
+static void note_given(const ice *s, double *given)
+{
+    for (int k = 0; k < s->mesh->n[2]; ++k)
+        for (int j = 0; j < s->mesh->n[1]; ++j)
+            for (int i = 0; i < s->mesh->n[0]; ++i) {
+                const int cell[MESH_MAX_DIM] = {i, j, k};
+                const ice_owned_cell c = ice_find_cell(s, cell);
+                given[ice_cell_number(s->mesh, cell)] = field_get(c.f, C_PRESSURE, 0, 0)[c.at];
+            }
 }
 
 floe_status ice_hydrostatic(ice *s)
 {
-    const int axis = gravity_axis(s);
-    if (axis < 0 || s->mesh->periodic[axis] || !ice_asks_for_rest(s)) return FLOE_OK;
-    int end[MESH_MAX_DIM] = {s->mesh->n[0], s->mesh->n[1], s->mesh->n[2]};
-    end[axis] = 1;
-    for (int k = 0; k < end[2]; ++k)
-        for (int j = 0; j < end[1]; ++j)
-            for (int i = 0; i < end[0]; ++i) {
-                int cell[MESH_MAX_DIM] = {i, j, k};
-                rest_column(s, cell, axis);
-            }
-    return FLOE_OK;
+    double *given = NULL;
+    floe_status status = FLOE_OK;
+    bool under_way = false;
+    for (int axis = 0; axis < s->mesh->dim && ice_asks_for_rest(s) && status == FLOE_OK; ++axis) {
+        if (ice_weight_along(s, axis) == 0.0) continue;
+        if (!given) status = memory_new(s->ctx, &given, mesh_cells(s->mesh), sizeof *given);
+        if (status == FLOE_OK && !under_way) note_given(s, given);
+        if (status == FLOE_OK) status = rest_columns(s, given, axis, under_way);
+        under_way = true;
+    }
+    memory_free(s->ctx, &given);
+    return status;
 }

@@ -4,6 +4,7 @@
 
 #include "ice/ice_constants.h"
 #include "ice/sealed/ice_sealed.h"
+#include "ice/state/ice_given.h"
 #include "ice/state/ice_materials.h"
 
 #include <math.h>

@@ -4,9 +4,7 @@
 
 #include "ice/ice_view.h"
 
-/* Whether the scene's fluids are at rest and given by pressure and temperature throughout. */
-bool ice_asks_for_rest(const ice *s);
-/* Columns at rest (theory 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
+/* Columns at rest (theory 2.4), where gravity acts. */
 floe_status ice_hydrostatic(ice *s);
 /* *out: of every cell of the mesh, in order, the number of the nearest one whose centre no solid of points covers: its own, or -1 where
  * there is none. The caller frees it. */

@@ -1,0 +1,32 @@
+/* What a cell was given to start with, and its fluids at other pressures: for columns at rest (theory 2.4). */
+#ifndef ICE_GIVEN_H
+#define ICE_GIVEN_H
+
+#include "ice/ice_view.h"
+#include "ice/state/ice_fluid_state.h"
+
+typedef struct ice_given {
+    const eos *law[ICE_MAX_MATERIALS]; /* NULL: the cell has none of that fluid */
+    double theta[ICE_MAX_MATERIALS], density[ICE_MAX_MATERIALS], T[ICE_MAX_MATERIALS];
+    double own[ICE_MAX_MATERIALS];         /* Pa: pressure of each fluid */
+    bool keeps_density[ICE_MAX_MATERIALS]; /* else its temperature */
+    double p, stiffness;                   /* Pa: of the first fluid; largest rho c^2 */
+    int n;                                 /* materials */
+} ice_given;
+
+/* Whether the scene's fluids are to be at rest under gravity: no exact solution and no formula gives a pressure. */
+bool ice_asks_for_rest(const ice *s);
+/* Gravity along an axis; 0 where nothing bears the weight: along a periodic one, and between open sides of one pressure. */
+double ice_weight_along(const ice *s, int axis);
+/* Whether every body of a material, and the ambient where it is of it, is given by its density. */
+bool ice_is_given_by_density(const scene *s, int material);
+/* Adds a fluid with its volume fraction and its state; `pure` is the density of the fluid itself. */
+void ice_given_add(ice_given *g, int r, const eos *law, bool by_density, double theta, double pure, double e);
+/* What was given from one cell to another: 0 where that is round-off. */
+double ice_given_rise(const ice_given *from, const ice_given *to);
+/* Density of the cell at a pressure. */
+double ice_given_density(const ice_given *g, double p);
+/* State of one fluid of it at a pressure of the cell. */
+floe_status ice_given_state(const ice *s, const ice_given *g, int r, double p, ice_reservoir *out);
+
+#endif
