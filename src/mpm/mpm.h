@@ -83,8 +83,9 @@ typedef struct mpm {
     bool carries[FIELD_COUNT];        /* point fields that some body carries, if a stage names them (create.c) */
     int n_history;                    /* largest number of history variables of a law */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
-    int body_group[SCENE_MAX_BODIES]; /* group of a scene body, -1: none of ours */
-    double reference_mass;            /* kg: heaviest point, for the small-node rule (theory 4.4) */
+    int body_group[SCENE_MAX_BODIES];  /* group of a scene body, -1: none of ours */
+    double reference_mass;             /* kg: heaviest point, for the small-node rule (theory 4.4) */
+    double group_mass[MPM_MAX_GROUPS]; /* kg: heaviest point of each group */
     uint32_t *moved;        /* per global tile: bit of each body of which points have changed cell in the step; owned */
     double time;            /* s: at the start of the step */
     double dt, dt_previous; /* s; dt_previous 0 before the first step */

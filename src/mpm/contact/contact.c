@@ -179,7 +179,7 @@ static double store_contact_node(const node_pass *p, ptrdiff_t at, const int *gr
     for (int k = 0; k < node->n; ++k) {
         const group_view *g = &p->group[group[k]];
         const contact_body *b = &node->body[k];
-        const double felt = fmin(1.0, b->mass / (MPM_FELT_NODE * p->s->reference_mass));
+        const double felt = fmin(1.0, b->mass / (MPM_FELT_NODE * p->s->group_mass[group[k]]));
         if (b->given) { /* what has been taken of it shows as a change of its nodes (motion/motion.h) */
             for (int c = 0; c < node->dim; ++c) g->v[c][at] = b->v[c] + b->taken[c] / b->mass;
             continue;

@@ -86,6 +86,7 @@ static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x
     for (int c = 0; c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
         field_get(f, P_STRESS, body, c)[k] = stress[c];
     if (body < s->n_deforming) s->reference_mass = fmax(s->reference_mass, density * volume);
+    s->group_mass[b->group] = fmax(s->group_mass[b->group], density * volume);
     return FLOE_OK;
 }
 
