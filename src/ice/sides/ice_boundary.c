@@ -295,7 +295,8 @@ static void set_velocity(const ice *s, const ice_view *v, int axis, mesh_side si
 {
     const bc_side *wall = condition_at(s, v, axis, side, at);
     double *face = v->m[r].fu[axis];
-    switch (wall->kind) {
+    const bool fills = wall->kind == BC_OUTLET && ice_is_reservoir(s, v, axis, side, at);
+    switch (fills ? BC_RESERVOIR : wall->kind) {
     case BC_SYMMETRY:
     case BC_SLIP:
     case BC_NO_SLIP: face[at.face] = 0.0; break;
@@ -332,7 +333,9 @@ static void set_side_pressure(const ice *s, const ice_view *v, int axis, mesh_si
     (void)r;
     if (v->traced && (!v->alone || v->alone[at.cell] > 0.0) && (ice_is_wall(wall->kind) || wall->kind == BC_FREE))
         return; /* by the waves between cell and ghost */
-    if (wall->kind == BC_OUTLET)
+    if (wall->kind == BC_OUTLET && ice_is_reservoir(s, v, axis, side, at))
+        v->fp[axis][at.face] = ice_characteristic(s, v, axis, side, at).pressure;
+    else if (wall->kind == BC_OUTLET)
         v->fp[axis][at.face] = ice_outlet_pressure(s, v, axis, side, at, v->P[at.cell]);
     else if (ice_enters_supersonic(s, here, axis, side))
         v->fp[axis][at.face] = wall->pressure;

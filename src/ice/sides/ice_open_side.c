@@ -13,6 +13,9 @@
 
 #include <math.h>
 
+/* Share of the outside's speed of sound at which fluid enters an outlet as from a reservoir: steady inflow is the same by both. */
+static const double rush = 0.2;
+
 /* ---- reservoirs ---- */
 
 /* Decrease of pressure, density and energy with the speed along an isentrope. */
@@ -112,6 +115,29 @@ static double speed_of_cell(const ice *s, const fields *f, ptrdiff_t at, int axi
     return mass > 0.0 ? (side == SIDE_LOWER ? momentum : -momentum) / mass : 0.0;
 }
 
+static double sound_of_cell(const ice_view *v, ptrdiff_t c)
+{
+    return v->multi ? 1.0 / sqrt(v->rho_sum[c] * v->kappa_sum[c]) : v->m[0].c[c];
+}
+
+/* Whether fluid at rest outside enters as from a reservoir, given pressure, impedance and inward speed of the cell: at an outlet, where it
+ * would enter at more than a share of its sound. The given pressure would do work on next to no mass there. */
+static bool rushes_in(const ice *s, const ice_side_face *here, double p, double z, double inward)
+{
+    const bc_side *wall = here->condition;
+    if (wall->kind == BC_RESERVOIR) return true;
+    if (wall->kind != BC_OUTLET || s->implicit || !ice_rests_behind(here)) return false;
+    const double sound = sound_speed_behind(&s->material[ice_material_of(s, wall->material)].eos, &here->behind);
+    return inward + (wall->pressure - p) / z > rush * sound;
+}
+
+bool ice_is_reservoir(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at)
+{
+    const double z = v->rho_sum[at.cell] * sound_of_cell(v, at.cell);
+    return rushes_in(s, ice_side_at(s, v->b, axis, side, at.i, at.j, at.k), v->p[at.cell], z,
+                     -at.outward * v->mean[axis][at.cell]);
+}
+
 /* Pressure of a cell and impedance rho c of all its fluids. */
 static void find_wave(const ice *s, const fields *f, ptrdiff_t at, const ice_region *g, double *p, double *z)
 {
@@ -138,9 +164,9 @@ static double speed_inward(const ice *s, const fields *f, const ice_side_face *h
 {
     const double own = speed_of_cell(s, f, at, axis, side, r);
     double p, z;
-    if (here->condition->kind != BC_RESERVOIR) return own;
+    if (!ice_rests_behind(here)) return own;
     find_wave(s, f, at, ice_region_of(s, r), &p, &z);
-    return z > 0.0 ? -from_reservoir(s, here, p - z * own, z).velocity : own;
+    return z > 0.0 && rushes_in(s, here, p, z, own) ? -from_reservoir(s, here, p - z * own, z).velocity : own;
 }
 
 /* Where flow leaves, nothing is changed. */
@@ -173,11 +199,6 @@ bool ice_enters_supersonic(const ice *s, const ice_side_face *here, int axis, me
     const double speed = side == SIDE_LOWER ? wall->velocity[axis] : -wall->velocity[axis];
     if (wall->kind != BC_INLET || !(here->behind.rho > 0.0) || !(speed > 0.0)) return false;
     return speed >= sound_speed_behind(&s->material[ice_material_of(s, wall->material)].eos, &here->behind);
-}
-
-static double sound_of_cell(const ice_view *v, ptrdiff_t c)
-{
-    return v->multi ? 1.0 / sqrt(v->rho_sum[c] * v->kappa_sum[c]) : v->m[0].c[c];
 }
 
 double ice_outlet_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at, double inside)
@@ -218,7 +239,7 @@ ice_side_state ice_characteristic(const ice *s, const ice_view *v, int axis, mes
     const double smooth = v->limit_hi * (1.0 - v->shock[c]), courant = fmin(fmax((u + sound) * v->dt / h, 0.0), 1.0);
     const double rise = v->p[c] - v->p[in] - weight + z * (u - at.outward * v->mean[axis][in]);
     const double R = v->p[c] + z * u + 0.5 * weight + 0.5 * smooth * (1.0 - courant) * rise;
-    if (wall->kind == BC_RESERVOIR) return from_reservoir(s, here, R, z);
+    if (wall->kind != BC_NON_REFLECTING) return from_reservoir(s, here, R, z);
     if (!(u < sound)) return (ice_side_state){v->p[c] + 0.5 * weight, u};
     const double zq = mean_impedance(v, c, z, wall->pressure), far = at.outward * wall->velocity[axis],
                  velocity = (R - wall->pressure + zq * far) / (z + zq);

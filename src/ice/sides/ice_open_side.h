@@ -19,7 +19,9 @@ bool ice_enters_supersonic(const ice *s, const ice_side_face *here, int axis, me
 /* Pressure on a face of an outlet: the given one; of fluid that comes back from rest outside, that of its speed;
  * `inside`, a pressure of the cell, where the fluid leaves faster than its sound, so that nothing from outside reaches it. */
 double ice_outlet_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at, double inside);
-/* Pressure and outward velocity on a face of a non-reflecting side or of a reservoir. */
+/* Whether fluid enters a face as from a reservoir: at one, and at an outlet where fluid at rest outside rushes in. */
+bool ice_is_reservoir(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at);
+/* Pressure and outward velocity on a face of a non-reflecting side, or one of these. */
 typedef struct ice_side_state {
     double pressure, velocity;
 } ice_side_state;
