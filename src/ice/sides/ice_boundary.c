@@ -333,7 +333,7 @@ static void set_side_pressure(const ice *s, const ice_view *v, int axis, mesh_si
     (void)r;
     if (v->traced && (!v->alone || v->alone[at.cell] > 0.0) && (ice_is_wall(wall->kind) || wall->kind == BC_FREE))
         return; /* by the waves between cell and ghost */
-    if (wall->kind == BC_OUTLET && ice_is_reservoir(s, v, axis, side, at))
+    if (by_characteristics(wall->kind) || (wall->kind == BC_OUTLET && ice_is_reservoir(s, v, axis, side, at)))
         v->fp[axis][at.face] = ice_characteristic(s, v, axis, side, at).pressure;
     else if (wall->kind == BC_OUTLET)
         v->fp[axis][at.face] = ice_outlet_pressure(s, v, axis, side, at, v->P[at.cell]);
@@ -341,8 +341,6 @@ static void set_side_pressure(const ice *s, const ice_view *v, int axis, mesh_si
         v->fp[axis][at.face] = wall->pressure;
     else if (wall->kind == BC_FREE)
         v->fp[axis][at.face] = v->P[at.cell];
-    else if (by_characteristics(wall->kind))
-        v->fp[axis][at.face] = ice_characteristic(s, v, axis, side, at).pressure;
     else {
         double body_acceleration = v->gravity[axis];
         if (wall->kind == BC_VELOCITY) body_acceleration -= side_acceleration(s, v, axis, here, at);

@@ -2,8 +2,6 @@
 
 #include "base/memory.h"
 
-#include <string.h>
-
 /* Of a cell: bounds that are this near to each other touch. */
 static const double touches = 1e-6;
 
@@ -26,11 +24,17 @@ static bool bounds_touch(const mesh *m, const scene_body *a, const scene_body *b
     return true;
 }
 
+static bool start_alike(const scene_body *a, const scene_body *b)
+{
+    bool alike = true;
+    for (int d = 0; d < 3; ++d) alike = alike && a->velocity[d] == b->velocity[d];
+    return alike;
+}
+
 /* Bodies of two materials may be meant to part. A surface of bodies that only might touch is that of each of them. */
 static bool are_welded(const scene *s, const mesh *m, const scene_body *a, const scene_body *b)
 {
-    return a->material == b->material && may_weld(s, a) && may_weld(s, b) &&
-           memcmp(a->velocity, b->velocity, sizeof a->velocity) == 0 && bounds_touch(m, a, b);
+    return a->material == b->material && may_weld(s, a) && may_weld(s, b) && start_alike(a, b) && bounds_touch(m, a, b);
 }
 
 /* Marks all bodies that hang together with one. */
