@@ -77,7 +77,7 @@
 #define MPM_SIDE_YIELD 1e-3
 /* Share of the mass of the group's heaviest point below which points feel the kicks of a node in proportion to it. Such a node may be kicked to 1e6 times the velocity of its
  * points: its kinetic energy would be all of the contact's work in the ledger (a run of a sliding block was ended by it). */
-#define MPM_FELT_NODE 1e-7
+#define MPM_FELT_NODE 1e-3
 /* Cells by which points must be farther apart along the normal of one body than along the common normal for it to be that of the contact. */
 #define MPM_TILTED_NORMAL 0.05
 /* Gaps of less than this share of a cell are closed: round-off. */

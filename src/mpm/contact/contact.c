@@ -171,6 +171,12 @@ static void recall_states(const node_pass *p, ptrdiff_t at, const int *group, co
     }
 }
 
+/* Share of the kick of a node that its points feel. About an axis nodes near it are light without being almost empty. */
+static double felt_share(const mpm *s, int group, double mass)
+{
+    return s->mesh->geometry == MESH_AXISYMMETRIC ? 1.0 : fmin(1.0, mass / (MPM_FELT_NODE * s->group_mass[group]));
+}
+
 /* Writes the velocities; returns what the contact added to the kinetic energy: its impulses times the means of the velocities before and after the kick. Of
  * the kick of a light node points feel its share alone. */
 static double store_contact_node(const node_pass *p, ptrdiff_t at, const int *group, const contact_node *node)
@@ -179,7 +185,7 @@ static double store_contact_node(const node_pass *p, ptrdiff_t at, const int *gr
     for (int k = 0; k < node->n; ++k) {
         const group_view *g = &p->group[group[k]];
         const contact_body *b = &node->body[k];
-        const double felt = fmin(1.0, b->mass / (MPM_FELT_NODE * p->s->group_mass[group[k]]));
+        const double felt = felt_share(p->s, group[k], b->mass);
         if (b->given) { /* what has been taken of it shows as a change of its nodes (motion/motion.h) */
             for (int c = 0; c < node->dim; ++c) g->v[c][at] = b->v[c] + b->taken[c] / b->mass;
             continue;
