@@ -84,8 +84,7 @@ static void finish_inlets(scene *s)
     scene_condition at;
     for (int i = 0; scene_next_condition(s, &i, &at);) {
         bc_side *side = at.part ? &s->part[i - 1 - 2 * s->mesh.dim].condition : &s->bc.side[at.axis][at.end];
-        const bool flows = side->kind == BC_INLET || side->kind == BC_OUTLET || side->kind == BC_RESERVOIR ||
-                           side->kind == BC_NON_REFLECTING;
+        const bool flows = side->kind == BC_INLET || bc_gives_pressure(side->kind);
         if (side->kind == BC_OUTLET || side->kind == BC_NON_REFLECTING) finish_outside(s, side);
         if (flows && side->material < 0) side->material = fluid;
     }

@@ -18,6 +18,12 @@ typedef enum bc_kind {
     BC_RESERVOIR       /* fluids: enter from rest at total pressure and temperature; points: as free */
 } bc_kind;
 
+/* Whether fluid leaves and enters a side against a given pressure: an outlet, a reservoir, a non-reflecting side. */
+static inline bool bc_gives_pressure(bc_kind kind)
+{
+    return kind == BC_OUTLET || kind == BC_NON_REFLECTING || kind == BC_RESERVOIR;
+}
+
 const char *bc_name(bc_kind kind); /* name in the deck: symmetry, slip, no_slip, periodic, inlet ... */
 
 typedef struct bc_side {

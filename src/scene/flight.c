@@ -5,7 +5,7 @@
 
 static bool lets_points_out(bc_kind kind)
 {
-    return kind == BC_OUTLET || kind == BC_FREE || kind == BC_NON_REFLECTING || kind == BC_RESERVOIR;
+    return kind == BC_FREE || bc_gives_pressure(kind);
 }
 
 /* When the body's box comes to the side; INFINITY: it does not go there. */

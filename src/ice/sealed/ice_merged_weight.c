@@ -147,18 +147,6 @@ static ice_given given_in(const ice *s, const int cell[3])
     return out;
 }
 
-/* Pressure p of a cell with p = base + weight (share rho(p) + other). */
-static double solve_pressure(const ice_given *q, double base, double weight, double share, double other)
-{
-    double p = base;
-    for (int pass = 0; pass < 60; ++pass) {
-        const double next = base + weight * (share * ice_given_density(q, p) + other);
-        if (next == p) break;
-        p = next;
-    }
-    return p;
-}
-
 static bool has_gas(const ice *s, const int cell[3])
 {
     ptrdiff_t at;
@@ -193,7 +181,7 @@ static void reach_beside(rest_fill *f, int number)
         const double weight = 0.5 * step * ice_weight_along(s, axis) * m->h[axis];
         const ice_given next = given_in(s, cell);
         const double base = f->pressure[number] + ice_given_rise(&own, &next);
-        mark_reached(f, other, next.p, solve_pressure(&next, base, weight, 1.0, rho));
+        mark_reached(f, other, next.p, ice_given_settle(&next, base, weight, 1.0, rho));
     }
 }
 
@@ -263,12 +251,12 @@ static double balance_merged_cell(const rest_fill *f, int merged, const ice_give
             for (int a = 0; a < m->dim; ++a) lever += ice_weight_along(s, a) * q->above[a];
             /* p + rho' lever = p_cell - half (rho + rho') */
             const double base = f->pressure[beside] - half * rho + ice_given_rise(&whole, own);
-            return solve_pressure(own, base, -1.0, half + lever, 0.0);
+            return ice_given_settle(own, base, -1.0, half + lever, 0.0);
         }
     }
     double lever = 0.0;
     for (int a = 0; a < m->dim; ++a) lever += ice_weight_along(s, a) * lead->above[a];
-    return solve_pressure(own, f->pressure[cut_index(m, lead->cell)], -1.0, lever, 0.0);
+    return ice_given_settle(own, f->pressure[cut_index(m, lead->cell)], -1.0, lever, 0.0);
 }
 
 static floe_status fill_merged_cells(const rest_fill *f)

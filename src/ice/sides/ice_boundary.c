@@ -174,12 +174,6 @@ static void fill_sides(const ice *s, field_id id, int instance, fill_which which
     }
 }
 
-/* Sides through which fluid of a known state may come in, as the flow turns. */
-static bool lets_in(bc_kind kind)
-{
-    return kind == BC_OUTLET || by_characteristics(kind);
-}
-
 static void fill_by_rules(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
 {
     domain_fill(s->domain, id, instance, which);
@@ -188,7 +182,7 @@ static void fill_by_rules(const ice *s, field_id id, int instance, fill_which wh
 
 static void fill_from_outside(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
 {
-    fill_sides(s, id, instance, which, kind, lets_in, fill_inflow);
+    fill_sides(s, id, instance, which, kind, bc_gives_pressure, fill_inflow);
 }
 
 void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
@@ -291,22 +285,28 @@ void ice_boundary_mobility(const ice *s, const ice_view *v, int r)
     ice_visit_sides(s, v, r, set_side_mobility);
 }
 
+/* Faces whose state characteristics decide: also of outlets that fill what is behind them. */
+static bool follows_waves(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at)
+{
+    const bc_kind kind = condition_at(s, v, axis, side, at)->kind;
+    return by_characteristics(kind) || (kind == BC_OUTLET && ice_is_reservoir(s, v, axis, side, at));
+}
+
 static void set_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
     const bc_side *wall = condition_at(s, v, axis, side, at);
     double *face = v->m[r].fu[axis];
-    const bool fills = wall->kind == BC_OUTLET && ice_is_reservoir(s, v, axis, side, at);
-    switch (fills ? BC_RESERVOIR : wall->kind) {
+    if (follows_waves(s, v, axis, side, at)) {
+        face[at.face] = at.outward * ice_characteristic(s, v, axis, side, at).velocity + v->m[r].u[axis][at.cell] -
+                        v->mean[axis][at.cell];
+        return;
+    }
+    switch (wall->kind) {
     case BC_SYMMETRY:
     case BC_SLIP:
     case BC_NO_SLIP: face[at.face] = 0.0; break;
     case BC_VELOCITY: face[at.face] = bc_velocity(wall, axis, s->time + 0.5 * s->dt); break;
     case BC_INLET: face[at.face] = wall->velocity[axis]; break;
-    case BC_NON_REFLECTING:
-    case BC_RESERVOIR:
-        face[at.face] = at.outward * ice_characteristic(s, v, axis, side, at).velocity + v->m[r].u[axis][at.cell] -
-                        v->mean[axis][at.cell];
-        break;
     case BC_OUTLET: face[at.face] = outlet_velocity(s, v, axis, side, r, at); break;
     default: break; /* free: as between equal cells */
     }
@@ -333,7 +333,7 @@ static void set_side_pressure(const ice *s, const ice_view *v, int axis, mesh_si
     (void)r;
     if (v->traced && (!v->alone || v->alone[at.cell] > 0.0) && (ice_is_wall(wall->kind) || wall->kind == BC_FREE))
         return; /* by the waves between cell and ghost */
-    if (by_characteristics(wall->kind) || (wall->kind == BC_OUTLET && ice_is_reservoir(s, v, axis, side, at)))
+    if (follows_waves(s, v, axis, side, at))
         v->fp[axis][at.face] = ice_characteristic(s, v, axis, side, at).pressure;
     else if (wall->kind == BC_OUTLET)
         v->fp[axis][at.face] = ice_outlet_pressure(s, v, axis, side, at, v->P[at.cell]);

@@ -93,8 +93,7 @@ bool ice_shares_cells(const ice *s, int r, int side_material)
 
 bool ice_known_outside(const ice_side_face *here)
 {
-    const bc_kind kind = here->condition->kind;
-    return here->behind.rho > 0.0 && (kind == BC_RESERVOIR || kind == BC_OUTLET || kind == BC_NON_REFLECTING);
+    return here->behind.rho > 0.0 && bc_gives_pressure(here->condition->kind);
 }
 
 bool ice_rests_behind(const ice_side_face *here)
@@ -103,11 +102,11 @@ bool ice_rests_behind(const ice_side_face *here)
 }
 
 /* Speed of the flow into the domain: of all fluids of the cell, so that one answer holds for all of them. */
-static double speed_of_cell(const ice *s, const fields *f, ptrdiff_t at, int axis, mesh_side side, int r)
+static double speed_of_cell(const ice *s, const fields *f, ptrdiff_t at, int axis, mesh_side side, const ice_region *g)
 {
     double mass = 0.0, momentum = 0.0;
-    for (int q = 0; q < s->n_materials; ++q) {
-        if (s->material[q].points || ice_region_of(s, q) != ice_region_of(s, r)) continue;
+    for (int q = g->first; q < g->first + g->n; ++q) {
+        if (s->material[q].points) continue;
         const double rho = field_get(f, C_RHO, q, 0)[at];
         mass += rho;
         momentum += rho * field_get(f, C_VEL, q, axis)[at];
@@ -162,10 +161,11 @@ static void find_wave(const ice *s, const fields *f, ptrdiff_t at, const ice_reg
 static double speed_inward(const ice *s, const fields *f, const ice_side_face *here, ptrdiff_t at, int axis,
                            mesh_side side, int r)
 {
-    const double own = speed_of_cell(s, f, at, axis, side, r);
+    const ice_region *g = ice_region_of(s, r);
+    const double own = speed_of_cell(s, f, at, axis, side, g);
     double p, z;
     if (!ice_rests_behind(here)) return own;
-    find_wave(s, f, at, ice_region_of(s, r), &p, &z);
+    find_wave(s, f, at, g, &p, &z);
     return z > 0.0 && rushes_in(s, here, p, z, own) ? -from_reservoir(s, here, p - z * own, z).velocity : own;
 }
 

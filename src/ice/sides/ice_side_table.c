@@ -67,7 +67,7 @@ bool ice_side_has(const ice *s, int axis, mesh_side side, bool (*kind)(bc_kind k
 
 static bool has_reservoir(bc_kind kind)
 {
-    return kind == BC_INLET || kind == BC_OUTLET || kind == BC_NON_REFLECTING || kind == BC_RESERVOIR;
+    return kind == BC_INLET || bc_gives_pressure(kind);
 }
 
 static void find_behind(const ice *s, ice_side_face *f)

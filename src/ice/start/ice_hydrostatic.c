@@ -53,13 +53,7 @@ static void go_down(const level *above, double weight, level *here)
         here->given.stiffness = above->given.stiffness;
     }
     const double base = above->p + ice_given_rise(&above->given, &here->given);
-    here->p = base;
-    for (int iteration = 0; iteration < 60; ++iteration) {
-        const double next = base + weight * (above->rho + ice_given_density(&here->given, here->p));
-        const bool done = next == here->p;
-        here->p = next;
-        if (done) break;
-    }
+    here->p = ice_given_settle(&here->given, base, weight, 1.0, above->rho);
 }
 
 static double density_in(const ice *s, ice_owned_cell c)
@@ -129,13 +123,12 @@ floe_status ice_hydrostatic(ice *s)
 {
     double *given = NULL;
     floe_status status = FLOE_OK;
-    bool under_way = false;
     for (int axis = 0; axis < s->mesh->dim && ice_asks_for_rest(s) && status == FLOE_OK; ++axis) {
         if (ice_weight_along(s, axis) == 0.0) continue;
-        if (!given) status = memory_new(s->ctx, &given, mesh_cells(s->mesh), sizeof *given);
-        if (status == FLOE_OK && !under_way) note_given(s, given);
-        if (status == FLOE_OK) status = rest_columns(s, given, axis, under_way);
-        under_way = true;
+        const bool first = !given;
+        if (first) status = memory_new(s->ctx, &given, mesh_cells(s->mesh), sizeof *given);
+        if (status == FLOE_OK && first) note_given(s, given);
+        if (status == FLOE_OK) status = rest_columns(s, given, axis, !first);
     }
     memory_free(s->ctx, &given);
     return status;

@@ -20,15 +20,11 @@ bool ice_asks_for_rest(const ice *s)
     return true;
 }
 
-static bool gives_pressure(const bc_side *side)
-{
-    return side->kind == BC_OUTLET || side->kind == BC_NON_REFLECTING || side->kind == BC_RESERVOIR;
-}
-
 double ice_weight_along(const ice *s, int axis)
 {
     const bc_side *side = s->scene->bc.side[axis];
-    const bool open = gives_pressure(&side[0]) && gives_pressure(&side[1]) && side[0].pressure == side[1].pressure;
+    const bool open =
+        bc_gives_pressure(side[0].kind) && bc_gives_pressure(side[1].kind) && side[0].pressure == side[1].pressure;
     return open || s->mesh->periodic[axis] ? 0.0 : s->gravity[axis];
 }
 
@@ -81,6 +77,17 @@ double ice_given_density(const ice_given *g, double p)
         sum += g->theta[r] * rho;
     }
     return sum;
+}
+
+double ice_given_settle(const ice_given *g, double base, double weight, double share, double other)
+{
+    double p = base;
+    for (int pass = 0; pass < 60; ++pass) {
+        const double next = base + weight * (share * ice_given_density(g, p) + other);
+        if (next == p) break;
+        p = next;
+    }
+    return p;
 }
 
 floe_status ice_given_state(const ice *s, const ice_given *g, int r, double p, ice_reservoir *out)

@@ -26,6 +26,8 @@ void ice_given_add(ice_given *g, int r, const eos *law, bool by_density, double 
 double ice_given_rise(const ice_given *from, const ice_given *to);
 /* Density of the cell at a pressure. */
 double ice_given_density(const ice_given *g, double p);
+/* Pressure p of the cell with p = base + weight (share rho(p) + other). */
+double ice_given_settle(const ice_given *g, double base, double weight, double share, double other);
 /* State of one fluid of it at a pressure of the cell. */
 floe_status ice_given_state(const ice *s, const ice_given *g, int r, double p, ice_reservoir *out);
 

@@ -1,6 +1,7 @@
 /* Extent of bodies at the nodes where they meet. It is determined from the points, since a node has mass of a body up to one and a half cells before the body
  * arrives. */
 #include "grid/tile_box.h"
+#include "math/tensor.h"
 #include "mpm/contact/contact.h"
 #include "mpm/mpm_constants.h"
 #include "mpm/transfer/point_arrays.h"
@@ -33,13 +34,6 @@ static int groups_that_meet(const mpm *s, const fields *f, ptrdiff_t at, int gro
     return n;
 }
 
-static void make_unit(int dim, double n[MESH_MAX_DIM])
-{
-    double length = 0.0;
-    for (int a = 0; a < dim; ++a) length += n[a] * n[a];
-    for (int a = 0; a < dim && length > 0.0; ++a) n[a] /= sqrt(length);
-}
-
 /* Unit normals of a group at a node: towards the other body of the contact where there is one; zero where it is alone or
  * has none. */
 static void directions_at(const mpm *s, int blk, int group, ptrdiff_t at, double out[DIRECTIONS][MESH_MAX_DIM])
@@ -57,7 +51,7 @@ static void directions_at(const mpm *s, int blk, int group, ptrdiff_t at, double
         out[ALONG_SECOND][a] = -way * field_get(f, N_NORMAL, met[1], a)[at];
         out[ALONG_PAIR][a] = out[ALONG_FIRST][a] + out[ALONG_SECOND][a];
     }
-    for (int d = 0; d < DIRECTIONS; ++d) make_unit(s->mesh->dim, out[d]);
+    for (int d = 0; d < DIRECTIONS; ++d) (void)vec_normalize(out[d]);
 }
 
 /* Directions at the nodes of a tile's window; false where there are none. */

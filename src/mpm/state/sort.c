@@ -156,8 +156,7 @@ static void enter_loss(mpm *s, int blk, int body, size_t k)
 
 static bool is_open(bc_kind kind)
 {
-    return kind == BC_FREE || kind == BC_OUTLET || kind == BC_INLET || kind == BC_NON_REFLECTING ||
-           kind == BC_RESERVOIR;
+    return kind == BC_FREE || kind == BC_INLET || bc_gives_pressure(kind);
 }
 
 /* Brings a point that lies beyond the mesh back: around a periodic axis, or onto the wall that it cannot have passed

@@ -362,12 +362,12 @@ floe_status mpm_grid_pressure(mpm *s)
 static void add_crowd(const mpm *s, int group, int blk, const tile_box *t, const point_arrays *p, const size_t range[2],
                       double density[SOLID_CHUNK])
 {
-    double window[MPM_MAX_WINDOW], at[SOLID_CHUNK], volume = 1.0;
+    double window[MPM_MAX_WINDOW], at[SOLID_CHUNK];
+    const double volume = mesh_box_volume(s->mesh);
     const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
     load_window(s, blk, t, &mass, 1, window);
     mirror_masses(s, group, t, window);
     s->windows->kernel->sample(s->mesh, t, p, range[0], range[1], window, at);
-    for (int a = 0; a < s->mesh->dim; ++a) volume *= s->mesh->h[a];
     for (size_t k = 0; k < range[1] - range[0]; ++k) density[k] += at[k] / volume;
 }
 
