@@ -140,6 +140,7 @@ for place in '0.1 0.9' '0.134 0.871'; do
     expect 0 "$FLOE" run six.yaml -o six --quiet
     [ "$(json six/summary.json interface)" = 'auto: sharp' ] || fault "six plates at $place are not sharp"
     near "$(last six/history.csv mass_air)" "$(awk -v a="${place% *}" -v b="${place#* }" 'BEGIN { printf "%.12g", 1e5 / (287 * 300) * (b - a)^3 }')" 1e-8
+    head -1 six/history.csv | grep -q 'force_' && fault 'the force on six plates is shown as that on one'
     rm -r six
 done
 expect 0 "$FLOE" run six.yaml -o charge_in_six --quiet --set 'ambient.pressure=20 bar'

@@ -5,6 +5,7 @@
 #include "mpm/surface/membrane_boundary.h"
 #include "mpm/surface/surface_markers.h"
 #include "mpm/surface/surfaces.h"
+#include "mpm/surface/welded.h"
 
 #include <math.h>
 #include <string.h>
@@ -147,6 +148,7 @@ void mpm_boundary_clear(mpm *s)
 bool mpm_boundary_sum_force(const mpm *s, int body, double force[3])
 {
     if (!s->surfaces || s->surfaces->markers.n == 0) return false;
+    if (welded_to_others(s->scene, s->mesh, &s->scene->body[s->body[body].scene_body])) return false;
     const surface_markers *k = &s->surfaces->markers;
     for (int a = 0; a < 3; ++a) force[a] = 0.0;
     for (size_t n = k->of_body[body]; n < k->of_body[body + 1]; ++n)

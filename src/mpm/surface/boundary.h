@@ -28,7 +28,7 @@ void mpm_boundary_velocity(const mpm *s, int body, const cut_surface *c, double 
  * they are cleared. */
 void mpm_boundary_force(mpm *s, int body, const cut_surface *c, const double *force);
 void mpm_boundary_clear(mpm *s);
-/* Their sum on a solid (N) in the last step, changes included. False: the body has no surface beside a fluid of the cells. */
+/* Their sum on a solid (N) in the last step, changes included. False: the body has no surface beside a fluid of the cells, or shares it with others (welded.h). */
 bool mpm_boundary_sum_force(const mpm *s, int body, double force[3]);
 /* How these forces change with the motion of the markers in the next step (theory 7.6), whose vertices are by number the markers:
  * the step finds the changes and adds them to the forces. NULL: they do not change. Borrowed until the step is over. */

@@ -55,6 +55,12 @@ static int mark_welded(const scene *s, const mesh *m, int first, bool *of)
     return n;
 }
 
+bool welded_to_others(const scene *s, const mesh *m, const scene_body *body)
+{
+    bool of[SCENE_MAX_BODIES] = {false};
+    return m->dim == 3 && mark_welded(s, m, (int)(body - s->body), of) > 1;
+}
+
 floe_status welded_find(const scene *s, const mesh *m, const scene_body *body, welded *out)
 {
     const int number = (int)(body - s->body);

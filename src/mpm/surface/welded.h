@@ -13,6 +13,8 @@ typedef struct welded {
 
 /* FLOE_NO_MEMORY. Released by welded_free. */
 floe_status welded_find(const scene *s, const mesh *m, const scene_body *body, welded *out);
+/* Whether a body's surface is that of others, too. */
+bool welded_to_others(const scene *s, const mesh *m, const scene_body *body);
 void welded_free(context *ctx, welded *w);
 
 #endif
