@@ -48,11 +48,11 @@ def check_folders(folders: list[str]) -> None:
         if kind_of(folder):
             continue
         if not os.path.exists(folder):
-            raise Refused(f"there is no folder '{folder}': name one that floe run, compare, study or stability has written", 2)
+            raise Refused(f"there is no folder '{folder}': name one that floe run, compare, study or stability has written")
         if any(os.path.exists(os.path.join(folder, name)) for name in ("checkpoint.h5", "history.csv")):
-            raise Refused(f"the run in '{folder}' has not ended, so it has no summary.json: wait for it, or go on with floe run --resume", 2)
+            raise Refused(f"the run in '{folder}' has not ended, so it has no summary.json: wait for it, or go on with floe run --resume")
         raise Refused(f"'{folder}' holds no results (no summary.json, compare.json, study.json or stability.json): name a folder that floe run, compare, study or "
-                      "stability has written", 2)
+                      "stability has written")
 
 
 def beside(file: str) -> pathlib.Path:

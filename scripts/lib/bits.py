@@ -104,14 +104,21 @@ def words_of(commands, decks):
     return words | ({"basis"} if "bases" in words else set())
 
 
+def couplings_of(deck):
+    """The couplings that a deck's text names; all where it names none."""
+    found = re.search(r"^runs_as: *\[(.*)\]", deck, re.MULTILINE)
+    return {name.strip() for name in found.group(1).split(",")} if found else {"mpm", "ice", "ice-mpm"}
+
+
 def needed(rows, commands, decks, also):
     """Those keys of rows that a page hangs on, by its commands, its decks {name: text} and other files: its decks as they are, every recorded setting of a key that it
-    sets, every recorded use of a command that it uses, the tests whose figures it shows."""
+    sets in a coupling of one of its decks, every recorded use of a command that it uses, the tests whose figures it shows."""
     words = words_of(commands, decks.values())
+    couplings = set().union({""}, *map(couplings_of, decks.values()))
     used = set(re.findall(r"^ *floe (\w+)", commands, re.MULTILINE)) - {"run"}
     preset = re.search(r"\bmethod=", commands)
     for key in sorted(rows):
-        what, deck, _, settings = key
+        what, deck, coupling, settings = key
         keys = keys_of(settings)
         if what != "run":
             if what in used or deck in also:
@@ -119,6 +126,8 @@ def needed(rows, commands, decks, also):
         elif not settings:
             if deck in decks:
                 yield key
+        elif coupling not in couplings:
+            continue
         elif any(one.split(".")[-1] in words for one in keys) or (preset and any(one.startswith("method") for one in keys)):
             yield key
 

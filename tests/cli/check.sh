@@ -21,6 +21,11 @@ has stderr 'many_errors.yaml:10:'
 has stderr 'many_errors.yaml:11:'
 [ ! -s stdout ] || fault 'errors belong to standard error'
 
+# A decimal comma in a list is two entries: the second one is told what it is.
+sed 's/cell: [^}]*/cell: 0,05/' "$FLOE_SOURCE/inputs/lid_cavity.yaml" >comma.yaml
+expect 2 "$FLOE" check comma.yaml
+has stderr 'write decimals with a point'
+
 # A name that a formula does not know: where names come from; the moduli of a law: how they follow from those of a table of materials.
 check_refuses "$FLOE_SOURCE/inputs/sod.yaml" "constants of your own have a section in the deck, 'constants'" 'domain.cell=L / 40'
 check_refuses "$FLOE_SOURCE/inputs/two_bars.yaml" 'bulk modulus K = E / (3 (1 - 2 nu))' 'materials.bar.law={linear_elastic: {youngs_modulus: 1, poissons_ratio: 0.3}}'

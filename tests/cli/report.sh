@@ -138,12 +138,12 @@ whole_page old.html
 
 # What is no result is refused before anything is written.
 mkdir none
-expect 2 "$FLOE" report run none -o refused.html
+expect 4 "$FLOE" report run none -o refused.html
 has stderr "'none' holds no results"
-expect 2 "$FLOE" report nowhere -o refused.html
+expect 4 "$FLOE" report nowhere -o refused.html
 has stderr "there is no folder 'nowhere'"
 mkdir cut && touch cut/history.csv
-expect 2 "$FLOE" report cut -o refused.html
+expect 4 "$FLOE" report cut -o refused.html
 has stderr 'has not ended'
 [ ! -e refused.html ] && [ ! -e refused_files ] || fault 'written all the same'
 echo '{' >none/summary.json
