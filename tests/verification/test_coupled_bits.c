@@ -4,7 +4,7 @@
 #include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
 
-enum { STEPS = 100 };
+enum { STEPS = 40 };
 
 typedef struct variant {
     int blocks, threads;

@@ -252,7 +252,7 @@ static state run(int blocks, int threads, const char *path)
     shock_begin(&t, BOX("0.025"), blocks);
     use_threads(threads);
     check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
-    trial_steps(&t, 60);
+    trial_steps(&t, 25);
     if (path) { /* written, and read into another run with other blocks */
         check_ok(t.ctx, io_init(t.ctx));
         write_checkpoint(&t, path);
@@ -261,7 +261,7 @@ static state run(int blocks, int threads, const char *path)
         check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
         read_checkpoint(&t, path);
     }
-    trial_steps(&t, 60);
+    trial_steps(&t, 25);
     return trial_finish(&t);
 }
 

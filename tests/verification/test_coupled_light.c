@@ -253,7 +253,7 @@ static void discs_begin(trial *t, int blocks)
 
 static state run(int blocks, int threads, const char *path)
 {
-    return run_in_halves(discs_begin, 60, blocks, threads, path);
+    return run_in_halves(discs_begin, 25, blocks, threads, path);
 }
 
 static void test_bits(void **unused)

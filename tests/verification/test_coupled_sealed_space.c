@@ -238,7 +238,7 @@ static state run(int blocks, int threads, const char *path)
     for (int a = 0; a < 3; ++a) t.scene->mesh.blocks[a] = blocks;
     use_threads(threads);
     check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
-    trial_steps(&t, 10);
+    trial_steps(&t, 5);
     if (path) { /* written, and read into another run with other blocks */
         check_ok(t.ctx, io_init(t.ctx));
         write_checkpoint(&t, path);
@@ -247,7 +247,7 @@ static state run(int blocks, int threads, const char *path)
         check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
         read_checkpoint(&t, path);
     }
-    trial_steps(&t, 10);
+    trial_steps(&t, 5);
     return trial_finish(&t);
 }
 

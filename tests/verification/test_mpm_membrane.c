@@ -355,7 +355,7 @@ static void test_bits(void **unused)
         for (int k = 0; k < (scheme == STRESS_USL ? 4 : 2); ++k) {
             const variant one = {1, 1, (stress_scheme)scheme, basis[k == 0], normals[k < 2 ? 0 : k - 1]};
             const variant other = {2, 2, one.stress, one.basis, one.normals};
-            same_steps(begin, &one, &other, 60);
+            same_steps(begin, &one, &other, 25);
         }
 }
 
