@@ -84,7 +84,7 @@ part_metamorphic() {
 
 part_meshes() {
     local tests=(unit_io_checkpoint verification_coupled_{cylinder,sealed_space,touch} verification_ice_smooth
-        verification_mpm_{annulus,limit,normals,states}) test status=0
+        verification_mpm_{annulus,limit,normals,soft,states}) test status=0
     scripts/build.sh release "${tests[@]}" || return
     for test in "${tests[@]}"; do
         FLOE_EVERY=1 OMP_NUM_THREADS=1 "build/release/tests/$test" >"$totals/$test.txt" 2>&1 || status=1

@@ -52,13 +52,13 @@ static void ogden_balloon(void **unused)
     const double highest = balloon_pressure(limit);
     const double bores[3] = {0.65, limit, 1.0}, most[3][2] = {{0.065, 0.028}, {0.22, 0.063}, {0.4, 0.1}};
     print_message("limit point: bore %.3f, pressure %.5f\n", limit, highest);
-    for (int k = 0; k < 3; ++k) {
+    for (int k = getenv("FLOE_EVERY") ? 0 : 2; k < 3; ++k) { /* quick: beyond the limit alone */
         const double p = balloon_pressure(bores[k]), nominal = p * 4.0 * bores[k] * bores[k];
         char pressure[80];
         double krylov;
         (void)snprintf(pressure, sizeof pressure, "loads.bore.traction.pressure=%.15g", nominal);
         const char *const set[] = {STATIC,   ABOUT_AXIS,           BALLOON,
-                                   pressure, "time.increments=20", "bodies.cylinder.points=4"};
+                                   pressure, "time.increments=20", "bodies.cylinder.points=3"};
         const stress_errors e = balance(set, sizeof set / sizeof *set, balloon_stress, &krylov);
         const double growth = e.cube / e.volume - 0.5 * (1.0 + 0.125); /* mean R^3 of the volume */
         const double bore = cbrt(0.125 + growth);
