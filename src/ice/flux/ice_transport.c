@@ -1,5 +1,6 @@
 /* The advection stage (theory 2.11): ghosts of the Lagrangian values, the sweeps, and rejection. */
 #include "ice/flux/ice_advect.h"
+#include "ice/flux/ice_late_weight.h"
 
 #include "ice/exchange/ice_exchange.h"
 #include "ice/sides/ice_sides.h"
@@ -223,6 +224,7 @@ floe_status ice_advect_of(ice *s, const ice_region *g)
                 TRY(explain_transport_fault(s, &v, r));
             if (v.multi) clip_traces(s, &v, r);
         }
+        ice_late_weight(s, &v);
     }
     ice_enter_tiles(s);
     return FLOE_OK;

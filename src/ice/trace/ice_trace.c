@@ -99,7 +99,15 @@ static void find_warming(const ice *s, const ice_region *g)
             ice_fill_ghosts(s, C_DIFFUSION_HEAT, r, FILL_CURRENT, GHOST_EVEN);
 }
 
-/* Beyond a wall the pressure is mirrored less the weight: that of a column goes on. */
+/* Weight (Pa) by which the column in a layer of cells beyond a wall exceeds its mirror image: from the image down to the wall's cell, and beyond that. */
+static double weight_beyond(const double *rho, ptrdiff_t at, ptrdiff_t out, int layer, double half)
+{
+    double weight = half * (rho[at - (layer - 1) * out] + rho[at - layer * out]);
+    for (int n = 0; n < layer - 1; ++n) weight += 2.0 * half * (rho[at - n * out] + rho[at - (n + 1) * out]);
+    return weight;
+}
+
+/* Beyond a wall the pressure less that of a column at rest is mirrored, and the column goes on. */
 static void continue_column(const ice *s, const ice_view *v, int axis, mesh_side side)
 {
     const ptrdiff_t out = side == SIDE_LOWER ? -v->b->stride[axis] : v->b->stride[axis];
@@ -112,7 +120,7 @@ static void continue_column(const ice *s, const ice_view *v, int axis, mesh_side
                 for (int i = lo[0]; i < hi[0]; ++i) {
                     const ptrdiff_t at = mesh_index(v->b, i, j, k);
                     if (ice_is_wall(ice_condition_at(s, v->b, axis, side, i, j, k)->kind))
-                        v->p[at] = v->p[at - out] + half * (rho[at] + rho[at - out]);
+                        v->p[at] += weight_beyond(rho, at, out, layer, half);
                 }
     }
 }

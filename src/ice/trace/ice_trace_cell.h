@@ -89,24 +89,34 @@ FLOE_ALWAYS_INLINE ice_five without_weight(ice_five p, ice_five rho, double weig
     return p;
 }
 
-/* Share of the neighbours' lines in the edges of density at a contact (eqs 1.16, 3.2): density has an inflection there, and pressure does
- * not explain its jump. */
-FLOE_ALWAYS_INLINE double contact_share(ice_five rho, ice_five p, double stiffness)
+/* Rises from 0 where a value is no larger than one bound to 1 at another. */
+FLOE_ALWAYS_INLINE double rise_between(double value, double none, double all)
 {
-    const double jump = rho.q[3] - rho.q[1], smallest = least(rho.q[1], rho.q[3]);
-    const double below = rho.q[0] - 2.0 * rho.q[1] + rho.q[2], above = rho.q[2] - 2.0 * rho.q[3] + rho.q[4];
-    const bool contact = below * above < 0.0 && fabs(jump) > ICE_TRACE_CONTACT * most(rho.q[1], rho.q[3]) &&
-                         ICE_TRACE_COMPRESSION * stiffness * fabs(jump) >= fabs(p.q[3] - p.q[1]) * smallest;
-    const double bend = (below - above) * jump / (6.0 * jump * jump + ICE_TINY);
-    const double share = least(most(ICE_TRACE_BEND_RISE * (bend - ICE_TRACE_BEND_FOOT), 0.0), 1.0);
-    return contact ? share : 0.0;
+    return least(most((value - none) / (all - none + ICE_TINY), 0.0), 1.0);
 }
 
-/* Share of div u in the gradient of the velocity: 1 in sound and shocks, 0 in vortices. One dimension has nothing else. */
-FLOE_ALWAYS_INLINE double dilatation_share(const trace_block *b, ptrdiff_t at, const int dim)
+/* Share of the neighbours' lines in the edges of density at a contact (eqs 1.16, 3.2): density has an inflection there, and pressure does
+ * not explain its jump. Each of the signs comes in over a range, and none is of round-off's size: what differs by that gives the same. */
+FLOE_ALWAYS_INLINE double contact_share(ice_five rho, ice_five p, double stiffness)
+{
+    const double jump = rho.q[3] - rho.q[1], size = fabs(jump), smallest = least(rho.q[1], rho.q[3]);
+    const double below = rho.q[0] - 2.0 * rho.q[1] + rho.q[2], above = rho.q[2] - 2.0 * rho.q[3] + rho.q[4];
+    const double turn = jump > 0.0 ? least(below, -above) : least(-below, above);
+    const double inflection = rise_between(turn, 0.0, ICE_TRACE_INFLECTION * size);
+    const double least_jump = ICE_TRACE_CONTACT * most(rho.q[1], rho.q[3]),
+                 large = rise_between(size, least_jump, ICE_TRACE_CONTACT_FULL * least_jump);
+    const double explained = fabs(p.q[3] - p.q[1]) * smallest, of_it = ICE_TRACE_COMPRESSION * stiffness * size,
+                 unexplained = rise_between(of_it, explained, ICE_TRACE_CONTACT_FULL * explained);
+    const double bend = (below - above) * jump / (6.0 * jump * jump + ICE_TINY);
+    return inflection * large * unexplained * rise_between(bend, ICE_TRACE_BEND_FOOT, ICE_TRACE_BEND_FULL);
+}
+
+/* Share of div u in the gradient of the velocity: 1 in sound and shocks, 0 in vortices. Where fluid is at rest, but for round-off, its first motion will be
+ * sound. One dimension has nothing else. */
+FLOE_ALWAYS_INLINE double dilatation_share(const trace_block *b, ptrdiff_t at, double c, const int dim)
 {
     if (dim == 1) return 1.0;
-    double div = 0.0, all = ICE_TINY;
+    double div = 0.0, all = ICE_TINY, rest = 0.0;
     for (int a = 0; a < dim; ++a) {
         const ptrdiff_t st = b->stride[a];
         for (int n = 0; n < dim; ++n) {
@@ -114,8 +124,10 @@ FLOE_ALWAYS_INLINE double dilatation_share(const trace_block *b, ptrdiff_t at, c
             all += d * d;
             if (n == a) div += d;
         }
+        const double least_change = ICE_TRACE_AT_REST * c * b->courant[a];
+        rest += least_change * least_change;
     }
-    return least(div * div / all, 1.0);
+    return least((div * div + rest) / (all + rest), 1.0);
 }
 
 /* A cell and two on either side of it along an axis; p: less a column at rest. */
@@ -261,7 +273,7 @@ FLOE_ALWAYS_INLINE void put_state(const trace_block *b, const medium *m, int axi
 {
     const double sound = 0.5 * (wave[WAVE_UP] + wave[WAVE_DOWN]);
     const double p = sound + weight + d->p, rho = wave[WAVE_ENTROPY] + sound * m->inv_c2 + d->rho,
-                 energy = wave[WAVE_ENERGY] + m->enthalpy * (sound + weight) + d->energy;
+                 energy = wave[WAVE_ENERGY] + m->enthalpy * sound + d->energy;
     const bool whole = p - b->floor > ICE_TRACE_LEAST_LEFT * (m->p - b->floor) && rho > ICE_TRACE_LEAST_LEFT * m->rho;
     to[STATE_DENSITY][t] = whole ? rho : m->rho;
     to[STATE_PRESSURE][t] = whole ? p : m->p;

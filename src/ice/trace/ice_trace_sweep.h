@@ -108,8 +108,9 @@ FLOE_ALWAYS_INLINE void find_row_edges(const trace_block *b, const trace_row *w,
         const ptrdiff_t at = base + i;
         double square = 0.0;
         for (int a = 0; a < dim; ++a) square += b->u[a][at] * b->u[a][at];
-        w->mach[1 + i] = sqrt(square) / (kind == TRACE_ONE ? b->c[at] : medium_of(b, at, kind).c);
-        w->dilatation[1 + i] = dilatation_share(b, at, dim);
+        const double c = kind == TRACE_ONE ? b->c[at] : medium_of(b, at, kind).c;
+        w->mach[1 + i] = sqrt(square) / c;
+        w->dilatation[1 + i] = dilatation_share(b, at, c, dim);
         /* At the interface of a liquid and a gas slow flow needs its viscosity and its limits. */
         for (int a = 0; a < dim && kind != TRACE_ONE; ++a)
             w->dilatation[1 + i] = most(w->dilatation[1 + i], contrast_share(b, at, b->stride[a]));
