@@ -1,4 +1,5 @@
-/* Bodies with a motion of their own, of points alone (theory 4.17): a table in time, a turn about a point, a box that tumbles freely, rigid bodies in contact. */
+/* Bodies with a motion of their own, of points alone (theory 4.17): a table in time, a turn about a point, a box that tumbles freely, rigid bodies in contact,
+ * and rigid bodies that fluids of points push. */
 #include "coupled_fixture.h"
 
 #include "mpm/mpm.h"
@@ -166,13 +167,100 @@ static void test_ram(void **unused)
            2.8e-2); /* lighter than the nodes that it meets */
 }
 
+/* ---- in fluids of points ---- */
+
+/* A piston of mass m between two columns of gas, struck at rest: m w = 2 Z cot(w L/c), Z = rho c; a mode has 2 m v0 of impulse over the slope of
+ * m w^2 - 2 Z w cot(w L/c) by w at its root (Landau and Lifshitz, Fluid Mechanics, section 64). */
+static double piston_place(double mass, double impedance, double travel, double speed, double t)
+{
+    const double pi = acos(-1.0);
+    double place = 0.0;
+    for (int n = 0; n < 40; ++n) {
+        double low = (n + 1e-9) * pi / travel, high = (n + 0.5) * pi / travel;
+        for (int k = 0; k < 80; ++k) {
+            const double w = 0.5 * (low + high);
+            if (mass * w < 2.0 * impedance / tan(w * travel))
+                low = w;
+            else
+                high = w;
+        }
+        const double sine = sin(low * travel);
+        place += 2.0 * mass * speed / (mass * low + 2.0 * impedance * low * travel / (sine * sine)) * sin(low * t);
+    }
+    return place;
+}
+
+/* Five gas masses of piston, or three; the same whatever part of the pressure points carry. With nodes that recoil each with its own mass it drifts by 0.17 of the
+ * amplitude with the reference pressure, and by twice the amplitude without it. Measured: 0.0004 of it. */
+static void swing_piston(const char *reference)
+{
+    const double length = 0.9, density = 1e5 / (287.0 * 300.0), sound = sqrt(1.4 * 1e5 / density), mass = 5.0,
+                 speed = 0.1;
+    const char *set[] = {
+        "domain={dim: 1, lower: 0, upper: 2, cell: 0.02}",
+        "boundaries={x: slip}",
+        "loads={}",
+        "materials={air: {eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}, stone: {density: 25, law: "
+        "{linear_elastic: "
+        "{bulk_modulus: 16 GPa, shear_modulus: 8 GPa}}}}",
+        "ambient={material: air, pressure: 1e5, temperature: 300}",
+        "bodies={box: {material: stone, shape: {box: {lower: 0.9, upper: 1.1}}, velocity: 0.1, motion: rigid}}",
+        reference};
+    trial t;
+    mpm_totals m;
+    double worst = 0.0, most = 0.0;
+    begin(&t, "defaults/h5_top", set, 7);
+    for (int k = 1; k <= 10; ++k) {
+        const double time = 2e-3 * k, expected = piston_place(mass, density * sound, length / sound, speed, time);
+        trial_run(&t, time);
+        check_ok(t.ctx, mpm_sum(t.sim->mpm, &m));
+        worst = fmax(worst, fabs(m.moment[1][0] / m.mass[1] - 1.0 - expected));
+        most = fmax(most, fabs(expected));
+    }
+    print_message("piston between two gases, %s: off by %.4f of %.2e m\n", reference, worst / most, most);
+    check_true(worst < 0.0008 * most);
+    trial_end(&t);
+}
+
+static void test_piston(void **unused)
+{
+    (void)unused;
+    swing_piston("reference_pressure=1e5");
+    swing_piston("reference_pressure=0");
+}
+
+/* A rigid cylinder of a tenth of the density of the water about it, pushed at 10 N/kg: with the added mass of potential flow (Lamb, Hydrodynamics,
+ * article 68) it is accelerated by 10/11 m/s2. Measured at four cells of radius: 13 % less, at eight 7; with each node by itself 32 % more at this step, and
+ * 65 % less where nodes with almost nothing of the body carry the water along. */
+static void test_light_cylinder(void **unused)
+{
+    (void)unused;
+    const char *set[] = {
+        "domain={dim: 2, lower: [0, 0], upper: [0.6, 0.8], cell: 0.025}",
+        "boundaries={x: symmetry, y: slip}",
+        "loads={push: {body_force: {body: box, acceleration: [0, 10]}}}",
+        "materials={water: {eos: {tait: {density: 1000, bulk_modulus: 2.2e7, pressure: 1e5}}}, stone: {density: 100, "
+        "law: "
+        "{linear_elastic: {bulk_modulus: 22 MPa, shear_modulus: 10 MPa}}}}",
+        "ambient={material: water, pressure: 1e5, temperature: 300}",
+        "bodies={box: {material: stone, shape: {ball: {centre: [0, 0.4], radius: 0.1}}, motion: rigid}}",
+        "reference_pressure=1e5"};
+    trial t;
+    mpm_totals m;
+    begin(&t, "defaults/h5_top", set, 7);
+    trial_run(&t, 0.01);
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &m));
+    const double way = (m.moment[1][1] / m.mass[1] - 0.4) / (0.5 * (10.0 / 11.0) * 0.01 * 0.01);
+    print_message("a light cylinder in water: %.3f of the way\n", way);
+    check_close(way, 1.0, 0.27);
+    trial_end(&t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_table),
-        cmocka_unit_test(test_turn),
-        cmocka_unit_test(test_top),
-        cmocka_unit_test(test_ram),
+        cmocka_unit_test(test_table), cmocka_unit_test(test_turn),   cmocka_unit_test(test_top),
+        cmocka_unit_test(test_ram),   cmocka_unit_test(test_piston), cmocka_unit_test(test_light_cylinder),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

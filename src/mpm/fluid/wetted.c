@@ -36,6 +36,7 @@ void wetted_free(mpm *s)
     if (!s->wetted) return;
     memory_free(s->ctx, &s->wetted->index);
     memory_free(s->ctx, &s->wetted->node);
+    memory_free(s->ctx, &s->wetted->kept);
     memory_free(s->ctx, &s->wetted->member);
     memory_free(s->ctx, &s->wetted->first);
     memory_free(s->ctx, &s->wetted);
@@ -82,8 +83,8 @@ floe_status mpm_constrain_wetted(mpm *s)
     mpm_wetted *w = s->wetted;
     TRY(wetted_list(s));
     if (w->n == 0) return FLOE_OK;
-    for (int k = 0; k < w->n; ++k)
-        if (w->node[k].root == k) wetted_constrain_line(s, k);
+    TRY(wetted_move_free(s));
+    wetted_constrain_lines(s);
     for (int blk = 0; blk < s->mesh->n_blocks; ++blk) TRY(visit_all_shared(s, blk, store_wetted_node));
     return FLOE_OK;
 }

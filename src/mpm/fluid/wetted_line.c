@@ -48,6 +48,7 @@ static bool is_light_wall(const mpm *s, const wetted_line *line)
     double mass[2] = {0.0}, density = 0.0;
     for (int k = 0; k < line->n; ++k) {
         const wetted_node *m = &s->wetted->node[line->member[k]];
+        if (isinf(m->inertia[SOLID])) return false;
         const double size = sqrt(wetted_dot(m->area, m->area));
         for (int g = 0; g < 2; ++g) mass[g] += size * m->mass[g];
         density = fmax(density, m->mass[FLUID] / node_volume(s, s->wetted->fluid, m->at));
@@ -55,7 +56,8 @@ static bool is_light_wall(const mpm *s, const wetted_line *line)
     return mass[SOLID] < MPM_WALL_LIGHT * mass[FLUID] && s->wetted->density < MPM_WALL_LIGHT * density;
 }
 
-/* Merges nodes of a line that have almost none of one of the two, and drops them from the line. */
+/* Merges nodes of a line that have almost none of one of the two, and drops them from the line. Where there is almost nothing of a body with a
+ * motion the fluid goes on alone: the velocity of the whole body would be forced on it. */
 static void merge_light_nodes(const mpm *s, wetted_line *line)
 {
     mpm_wetted *w = s->wetted;
@@ -65,11 +67,10 @@ static void merge_light_nodes(const mpm *s, wetted_line *line)
     for (int k = 0; k < line->n; ++k) most = fmax(most, w->node[line->member[k]].mass[FLUID]);
     for (int k = 0; k < line->n; ++k) {
         wetted_node *m = &w->node[line->member[k]];
-        if (light || m->mass[FLUID] < MPM_WALL_LEAST_NODE * most ||
-            m->mass[SOLID] < MPM_WALL_LEAST_NODE * m->mass[FLUID]) {
-            merge_node(m);
-            continue;
-        }
+        const bool merged = light || m->mass[FLUID] < MPM_WALL_LEAST_NODE * most,
+                   alone = m->mass[SOLID] < MPM_WALL_LEAST_NODE * m->mass[FLUID];
+        if (merged || (alone && !isinf(m->inertia[SOLID]))) merge_node(m);
+        if (merged || alone) continue;
         const int kept = line->member[k];
         line->member[k] = line->member[apart];
         line->member[apart++] = kept;
@@ -208,4 +209,10 @@ void wetted_constrain_line(const mpm *s, int root)
         stop_slip(s, &line);
     }
     share_loss(w, &whole);
+}
+
+void wetted_constrain_lines(const mpm *s)
+{
+    for (int k = 0; k < s->wetted->n; ++k)
+        if (s->wetted->node[k].root == k) wetted_constrain_line(s, k);
 }

@@ -54,7 +54,7 @@ static floe_status list_wetted_node(mpm *s, int blk, const int at[MESH_MAX_DIM],
     for (int g = 0; g < 2; ++g) {
         const int group = g == FLUID ? w->fluid : n.solid;
         n.mass[g] = field_get(f, N_MASS, group, 0)[local];
-        n.inertia[g] = motion_prescribes_group(s, group) ? (double)INFINITY : n.mass[g];
+        n.inertia[g] = motion_of_group(s, group) ? (double)INFINITY : n.mass[g];
         for (int c = 0; c < s->mesh->dim; ++c) {
             n.v[g][c] = field_get(f, N_VEL_L, group, c)[local];
             n.before[g][c] = field_get(f, N_MOMENTUM, group, c)[local] / n.mass[g];

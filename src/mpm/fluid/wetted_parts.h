@@ -9,7 +9,7 @@ typedef struct wetted_node {
     int at[MESH_MAX_DIM]; /* global */
     size_t number;        /* of the node */
     double mass[2];       /* kg: of the fluid, of the solid */
-    double inertia[2];    /* the same, but that one with a prescribed motion has no end of it */
+    double inertia[2];    /* the same, but that of a body with a motion has no end: its nodes move with all of it */
     double taken[3];      /* N s: impulses on such a solid */
     int solid;            /* velocity field of the solid */
     double area[3];       /* m2: N */
@@ -30,6 +30,8 @@ typedef struct mpm_wetted {
     wetted_node *node;   /* owned */
     int *member, *first; /* nodes in the order of their lines' roots, and by root where its own begin; owned */
     int n, reserved;
+    wetted_node *kept; /* the nodes before a trial of free bodies; owned */
+    int kept_reserved;
 } mpm_wetted;
 
 enum { FLUID, SOLID }; /* indices of wetted_node.mass, v, before, gained */
@@ -57,7 +59,11 @@ floe_status wetted_list(mpm *s);
 /* In the list, of a node that may lie beyond the mesh; -1: it is not there. */
 int wetted_find(const mpm *s, const int at[MESH_MAX_DIM]);
 
-/* wetted_line.c: one velocity of the wall for the line of a root; its loss is heat of its fluid. */
+/* wetted_free.c: the velocities that free bodies get together with the fluid at their walls. */
+floe_status wetted_move_free(mpm *s);
+
+/* wetted_line.c: one velocity of the wall for the line of a root, or for all; its loss is heat of its fluid. */
 void wetted_constrain_line(const mpm *s, int root);
+void wetted_constrain_lines(const mpm *s);
 
 #endif

@@ -66,6 +66,19 @@ static inline bool motion_prescribes_group(const mpm *s, int group)
     return group >= s->n_deforming_groups && motion_is_prescribed(motion_of_group(s, group)->given);
 }
 
+/* Degrees of freedom of a free body: velocities along x, y, z, spins about them. */
+enum { MOTION_DOFS = 6 };
+
+static inline bool motion_is_free(const body_motion *m, int dof)
+{
+    return dof < 3 ? m->slides[dof] : m->turns[dof - 3];
+}
+
+/* The velocity at r from the centre by a unit of a degree of freedom. */
+void motion_unit(int dof, const double r[3], double v[3]);
+/* kg, kg m2: of the body, between two degrees of freedom. */
+double motion_inertia(const body_motion *m, int d, int e);
+
 void rigid_velocity(const rigid_field *f, const double x[3], double out[3]);
 /* The rotation in dt (s) of a free body with a constant moment of momentum, from its inertia (xx yy zz xy yz zx) at the start. */
 void rigid_free_turn(const double inertia[6], const double spin_momentum[3], const bool turns[3], double dt,

@@ -8,10 +8,9 @@
 
 /* ---- free bodies and those that stick to them ---- */
 
-enum { DOFS = 6, SUM_LOAD = DOFS * DOFS, SUM_JOINED = SUM_LOAD + DOFS };
+enum { DOFS = MOTION_DOFS, SUM_LOAD = DOFS * DOFS, SUM_JOINED = SUM_LOAD + DOFS };
 
-/* The velocity at r from the centre by a unit of each degree of freedom. */
-static void unit_motion(int dof, const double r[3], double v[3])
+void motion_unit(int dof, const double r[3], double v[3])
 {
     const int a = dof % 3, b = (a + 1) % 3, c = (a + 2) % 3;
     v[0] = v[1] = v[2] = 0.0;
@@ -32,7 +31,7 @@ static void join_node(mpm *s, int blk, ptrdiff_t at, const double x[3], const vo
     double r[3], mode[DOFS][3];
     if (leader_at(s, f, at) != body_group) return;
     for (int a = 0; a < 3; ++a) r[a] = x[a] - m->now.c[a];
-    for (int d = 0; d < DOFS; ++d) unit_motion(d, r, mode[d]);
+    for (int d = 0; d < DOFS; ++d) motion_unit(d, r, mode[d]);
     for (int g = 0; g < s->n_deforming_groups; ++g) {
         const double mass = field_get(f, N_MASS, g, 0)[at];
         if (!(mass > 0.0) || !sticks_to_motions(s, g)) continue;
@@ -44,24 +43,25 @@ static void join_node(mpm *s, int blk, ptrdiff_t at, const double x[3], const vo
     }
 }
 
+double motion_inertia(const body_motion *m, int d, int e)
+{
+    static const int inertia_at[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+    if (d >= 3 && e >= 3) return m->sums.inertia[inertia_at[d - 3][e - 3]];
+    return d == e ? m->sums.mass : 0.0;
+}
+
 /* (mass + joined) of the degrees of freedom of the body, solved for what `load` gives; others stay 0. */
 static void solve_dofs(const body_motion *m, const double joined[DOFS * DOFS], const double load[DOFS],
                        double out[DOFS])
 {
-    static const int inertia_at[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
     double A[DOFS * DOFS] = {0.0}, b[DOFS] = {0.0};
     int dof[DOFS], n = 0;
     memset(out, 0, DOFS * sizeof *out);
     for (int d = 0; d < DOFS; ++d)
-        if (d < 3 ? m->slides[d] : m->turns[d - 3]) dof[n++] = d;
+        if (motion_is_free(m, d)) dof[n++] = d;
     for (int i = 0; i < n; ++i) {
         b[i] = load[dof[i]];
-        for (int j = 0; j < n; ++j) {
-            const int d = dof[i], e = dof[j];
-            double own = d == e ? m->sums.mass : 0.0;
-            if (d >= 3 || e >= 3) own = d >= 3 && e >= 3 ? m->sums.inertia[inertia_at[d - 3][e - 3]] : 0.0;
-            A[n * i + j] = own + joined[DOFS * d + e];
-        }
+        for (int j = 0; j < n; ++j) A[n * i + j] = motion_inertia(m, dof[i], dof[j]) + joined[DOFS * dof[i] + dof[j]];
     }
     if (n == 0 || !small_solve_symmetric(n, A, b)) return;
     for (int i = 0; i < n; ++i) out[dof[i]] = b[i];
@@ -146,7 +146,7 @@ static void add_contact(mpm *s, int blk, ptrdiff_t at, const double x[3], const 
     double r[3], mode[DOFS][3];
     if (!c.found) return;
     for (int a = 0; a < 3; ++a) r[a] = x[a] - m->now.c[a];
-    for (int d = 0; d < DOFS; ++d) unit_motion(d, r, mode[d]);
+    for (int d = 0; d < DOFS; ++d) motion_unit(d, r, mode[d]);
     for (int d = 0; d < DOFS; ++d)
         for (int a = 0; a < s->mesh->dim; ++a) sum[SUM_LOAD + d] += mode[d][a] * c.impulse[a];
     for (int e = 0; e < DOFS; ++e) {
