@@ -28,6 +28,9 @@ void remark_smeared(const scene *s, remark_sink *say, void *user);
 /* Of solids that fly out of the domain with a sharp interface. */
 void remark_flight_out(const scene *s, remark_sink *say, void *user);
 
+/* Of fluids on points that start without their weight. */
+void remark_columns(const scene *s, remark_sink *say, void *user);
+
 /* Of sources of mass and vents. */
 void remark_sources(const scene *s, remark_sink *say, void *user);
 

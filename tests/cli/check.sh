@@ -258,3 +258,24 @@ if [ "$fits" = false ]; then
     has stderr 'output.interval'
     has stderr 'take a longer interval, or another disk'
 elif grep -q 'another disk' stderr; then fault "$need of $free bytes are warned of"; fi
+
+# Fluid points under gravity start without the weight above them: a column on a floor is warned of, but not with a pressure that has it, nor air, nor a drop.
+cat >column.yaml <<'DECK'
+floe: 1
+coupling: mpm
+domain: {dim: 1, lower: 0, upper: 1.5, cell: 0.05}
+boundaries: {x: {lower: slip, upper: free}}
+materials:
+  water: {eos: {tait: {density: 1000, bulk_modulus: 2.2 GPa, pressure: 1e5}}}
+  air: {eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}
+reference_pressure: 1e5
+bodies: {column: {material: water, shape: {box: {lower: 0, upper: 1}}, pressure: 1e5, temperature: 300}}
+loads: {weight: {gravity: {acceleration: -9.81}}}
+time: {end: 1e-4}
+DECK
+expect 0 "$FLOE" check column.yaml
+has stderr 'column.yaml:9:82: bodies.column.pressure: points of fluid start without the weight above them, 9.81e+03 Pa'
+for change in 'bodies.column.pressure=1e5 + 9810 * (1 - x)' bodies.column.material=air bodies.column.shape.box.lower=0.5; do
+    expect 0 "$FLOE" check column.yaml --set "$change"
+    if grep -q 'weight above' stderr; then fault "$change is warned of"; fi
+done

@@ -1,0 +1,76 @@
+/* Remarks on what bears its own weight: columns of fluid points, which start without it. */
+#include "scene/remark_internal.h"
+
+#include "scene/formula.h"
+#include "scene/scene_reach.h"
+
+#include <math.h>
+#include <string.h>
+
+/* m/s2: what bodies of the deck fall with, in each direction. */
+static void acceleration_of(const scene *s, int body, double out[3])
+{
+    out[0] = out[1] = out[2] = 0.0;
+    for (int l = 0; l < s->n_loads; ++l) {
+        const scene_load *load = &s->load[l];
+        if (load->kind != LOAD_BODY_FORCE || (load->body >= 0 && load->body != body)) continue;
+        for (int a = 0; a < s->mesh.dim; ++a) out[a] += load->vector[a];
+    }
+}
+
+static double height_of(const scene *s, const scene_body *b, int axis)
+{
+    double lo[3] = {0.0}, hi[3] = {0.0};
+    const shape *region = &b->shape;
+    if (!region->model || !region->model->bounds || !region->model->bounds(region->par, s->mesh.dim, lo, hi))
+        return s->mesh.upper[axis] - s->mesh.lower[axis];
+    return fmin(hi[axis], s->mesh.upper[axis]) - fmax(lo[axis], s->mesh.lower[axis]);
+}
+
+static double density_of(const scene *s, const scene_body *b)
+{
+    const eos *law = &s->material[b->material].eos;
+    const double p = b->pressure, T = b->temperature;
+    double v, dvdp;
+    if (!isnan(b->density)) return b->density;
+    law->model->volume(law->par, 1, &p, &T, &v, &dvdp);
+    return 1.0 / v;
+}
+
+/* A fluid on points has the pressure that its deck gives, and no weight above it: on a floor it starts to fall, and its pressure swings about that
+ * at rest. A gas is light enough where its weight is a hundredth of its pressure. */
+static void remark_column(remark_speaker *w, int body, int axis, double pull)
+{
+    const scene *s = w->s;
+    const scene_body *b = &s->body[body];
+    const double light = 0.01, weight = fabs(pull) * density_of(s, b) * height_of(s, b, axis);
+    const int floor = pull < 0.0 ? SIDE_LOWER : SIDE_UPPER;
+    const bc_kind kind = s->bc.side[axis][floor].kind;
+    if (kind == BC_FREE || kind == BC_PERIODIC || !body_reaches_side(s, b, axis, floor)) return;
+    if (!eos_is_liquid(&s->material[b->material].eos) && weight < light * b->pressure) return;
+    if (strcmp(b->name, "ambient") == 0)
+        remark_set_key(w, "ambient", "pressure", "");
+    else
+        remark_set_key(w, "bodies", b->name, "pressure");
+    remark_key(
+        w,
+        "points of fluid start without the weight above them, %.3g%s at the lowest of '%s', and their pressure swings "
+        "from none to twice that. Give the pressure as a formula of height, p0 + density * %g * depth, or take "
+        "coupling ice-mpm, which adds the weight",
+        weight, s->dimensionless ? "" : " Pa", b->name, fabs(pull));
+}
+
+void remark_columns(const scene *s, remark_sink *say, void *user)
+{
+    remark_speaker w = {.s = s, .say = say, .user = user};
+    if (s->coupling != COUPLING_MPM || s->time.solver != SOLVER_DYNAMIC) return;
+    for (int k = 0; k < s->n_bodies; ++k) {
+        const scene_body *b = &s->body[k];
+        double pull[3];
+        if (s->material[b->material].kind != MATERIAL_FLUID || b->initial_from_exact) continue;
+        if (scene_formula_of(s, &b->pressure) || scene_formula_of(s, &b->density)) continue;
+        acceleration_of(s, k, pull);
+        for (int a = 0; a < s->mesh.dim; ++a)
+            if (pull[a] != 0.0) remark_column(&w, k, a, pull[a]);
+    }
+}
