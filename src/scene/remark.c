@@ -153,13 +153,19 @@ static void remark_constrained_sides(const scene *s, remark_sink *say, void *use
             }
 }
 
+/* A solid that is not held where it is. */
+static bool may_leave(const scene *s, const scene_body *b)
+{
+    return remark_is_solid(&s->material[b->material]) && b->motion.kind != MOTION_FIXED;
+}
+
 /* Gas on cells comes between a solid and a side only where a whole cell is open: until then what leaves is drawn back, as by a
  * vacuum. One that also reaches the side across from it slides along both. */
 static void remark_leaving_sides(const scene *s, remark_sink *say, void *user)
 {
     if (s->coupling != COUPLING_ICE_MPM || s->time.solver != SOLVER_DYNAMIC) return;
     for (int k = 0; k < s->n_bodies; ++k)
-        for (int axis = 0; axis < s->mesh.dim && remark_is_solid(&s->material[s->body[k].material]); ++axis) {
+        for (int axis = 0; axis < s->mesh.dim && may_leave(s, &s->body[k]); ++axis) {
             const bool at[2] = {body_reaches_side(s, &s->body[k], axis, 0), body_reaches_side(s, &s->body[k], axis, 1)};
             const int side = at[0] ? 0 : 1;
             if (at[0] == at[1] || s->bc.side[axis][side].kind != BC_SLIP) continue;

@@ -279,3 +279,12 @@ for change in 'bodies.column.pressure=1e5 + 9810 * (1 - x)' bodies.column.materi
     expect 0 "$FLOE" check column.yaml --set "$change"
     if grep -q 'weight above' stderr; then fault "$change is warned of"; fi
 done
+
+# What is fixed leaves no side: there is nothing to warn of.
+block='bodies={wall: {material: steel, shape: {box: {lower: 0, upper: 0.5}}MOTION}}'
+for motion in '' ', motion: fixed'; do
+    expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/defaults/f3_piston.yaml" --set "${block/MOTION/$motion}" --set output.probes=null
+    if [ -z "$motion" ]; then
+        has stderr 'lies within a cell of a slip side'
+    elif grep -q 'lies within a cell of a slip side' stderr; then fault 'a fixed body is warned of'; fi
+done
