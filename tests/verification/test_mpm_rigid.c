@@ -230,8 +230,8 @@ static void test_piston(void **unused)
 }
 
 /* A rigid cylinder of a tenth of the density of the water about it, pushed at 10 N/kg: with the added mass of potential flow (Lamb, Hydrodynamics,
- * article 68) it is accelerated by 10/11 m/s2. Measured at four cells of radius: 13 % less, at eight 7; with each node by itself 32 % more at this step, and
- * 65 % less where nodes with almost nothing of the body carry the water along. */
+ * article 68) it is accelerated by 10/11 m/s2. Measured at four cells of radius: 13 % less, at eight 7; 65 % less where nodes with almost nothing
+ * of the body carry the water along. */
 static void test_light_cylinder(void **unused)
 {
     (void)unused;
