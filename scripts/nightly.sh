@@ -83,7 +83,7 @@ part_metamorphic() {
 }
 
 part_meshes() {
-    local tests=(unit_io_checkpoint verification_coupled_{cylinder,sealed_space,touch} verification_ice_smooth
+    local tests=(unit_io_checkpoint verification_coupled_{cylinder,embedded_space,touch} verification_ice_smooth
         verification_mpm_{annulus,limit,normals,soft,states}) test status=0
     scripts/build.sh release "${tests[@]}" || return
     for test in "${tests[@]}"; do

@@ -90,7 +90,7 @@ def notes(page, found):
 
 
 def on_cells(page, points):
-    page.write("## Gas on cells", "", "The same decks as `ice-mpm`: the gas is on the cells, the bag holds it ([sealed](sealed.md)), outside is a vacuum, or the reference pressure where that is set; the probe stands there, which",
+    page.write("## Gas on cells", "", "The same decks as `ice-mpm`: the gas is on the cells, the bag holds it ([embedded](embedded.md)), outside is a vacuum, or the reference pressure where that is set; the probe stands there, which",
                "cells do not see, and meets the bag at shared nodes or in a contact as above.")
     found = {probe: hits(page, probe, ON_CELLS, "ice-mpm") for probe in ENDS}
     page.table((*HEADER, "beyond the bag, share"), [(*hit.row(probe, h, what), f"{hit.beyond():.1e}") for probe, own in found.items() for (what, h), hit in own.items()])

@@ -29,35 +29,35 @@ typedef struct ice_material {
     bool warms;      /* its points carry a temperature (theory 12.1) */
 } ice_material;
 
-/* Gases: one inside each membrane, and one outside all. Positions of a boundary in a step: at its start (SEAL_NOW),
- * ICE_SEAL_PLACES predicted ones of equal weight whose means are the apertures of the step (from SEAL_MEAN on), and at
- * its end (SEAL_NEXT). */
+/* Gases: one inside each membrane, and one outside all. Positions of a boundary in a step: at its start (CUT_NOW),
+ * ICE_CUT_PREDICTED predicted ones of equal weight whose means are the apertures of the step (from CUT_MEAN on), and at
+ * its end (CUT_NEXT). */
 enum {
-    ICE_SEALED_GASES = SCENE_MAX_ENCLOSING + 1,
-    ICE_SEAL_PLACES = 4,
-    SEAL_NOW = 0,
-    SEAL_MEAN = 1,
-    SEAL_NEXT = SEAL_MEAN + ICE_SEAL_PLACES,
-    SEAL_PLACES = SEAL_NEXT + 1
+    ICE_CUT_REGIONS = SCENE_MAX_ENCLOSING + 1,
+    ICE_CUT_PREDICTED = 4,
+    CUT_NOW = 0,
+    CUT_MEAN = 1,
+    CUT_NEXT = CUT_MEAN + ICE_CUT_PREDICTED,
+    CUT_PLACES = CUT_NEXT + 1
 };
 
-/* An embedded boundary: a membrane between gases, or the surfaces of solids (ice_sealed.c). Set by the owner of the
+/* An embedded boundary: a membrane between gases, or the surfaces of solids (ice_cut.c). Set by the owner of the
  * step before the stages that read it. */
-typedef struct ice_seal_line {
+typedef struct ice_embedded_boundary {
     int enclosed;             /* material inside, a different one for each membrane; beside solids the only gas */
-    int within;               /* the line of the membrane about this one; -1: none is. Found by ice_seal_nest */
-    const cut_surface *place; /* SEAL_PLACES: at the start, predicted, and at the end; not owned */
+    int within;               /* the line of the membrane about this one; -1: none is. Found by ice_cut_nest */
+    const cut_surface *place; /* CUT_PLACES: at the start, predicted, and at the end; not owned */
     const double *velocity;   /* m/s: of the vertices now, three each; not owned */
     const double *path; /* m: their displacement in the step, over which the force does work, three each; not owned */
     double *force;      /* N: of all gases on the vertices, three each; not owned */
     double heat;        /* J: heat of the enclosed gas, of the energy that points have lost in the step */
-} ice_seal_line;
+} ice_embedded_boundary;
 
 /* All boundaries: a gas that none encloses is outside all, and what a membrane encloses is outside those inside it. */
-typedef struct ice_seal {
-    ice_seal_line line[SCENE_MAX_ENCLOSING];
-    int n_lines;
-} ice_seal;
+typedef struct ice_embedded {
+    ice_embedded_boundary boundary[SCENE_MAX_ENCLOSING];
+    int n_boundaries;
+} ice_embedded;
 
 /* Materials that share cells, and there one pressure, one volume flux and the exchange between them: all materials, or those on one
  * side of embedded boundaries. Its fields of common quantities (C_PRESSURE and others) are instance `number`, those of its materials
@@ -68,7 +68,7 @@ typedef struct ice_region {
 
 typedef struct ice ice;
 
-/* Geometry of cells that embedded boundaries cut, as far as whole cells and sides must know it (sealed/ice_sealed.c). */
+/* Geometry of cells that embedded boundaries cut, as far as whole cells and sides must know it (cut/ice_cut.c). */
 typedef struct ice_cut_geometry {
     /* Share of a face on a side of the domain that is open to a region. local: cell of the block. */
     double (*side_aperture)(const ice *s, int region, const block *b, const int local[3], int axis, int side);
@@ -95,7 +95,7 @@ struct ice {
     bool with_points;            /* some material is carried by points */
     bool heats_points;           /* heat exchange changes the temperature of some of them */
     bool implicit;               /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
-    ice_seal seal;
+    ice_embedded embedded;
     struct wall_response
         *walls; /* response of wall pressures to motion in the step; not owned; NULL: they are explicit (theory 7.6) */
     double gravity[3];       /* m/s2 */
@@ -112,7 +112,7 @@ struct ice {
     struct ice_reactions *reactions;
     struct ice_heated *heated;
     struct ice_injection *injection;
-    struct ice_sealing *sealing;
+    struct ice_cut_cells *cut_cells;
     struct ice_implicit *rows;
 };
 
@@ -171,29 +171,29 @@ floe_status ice_pressure_stages(ice *s); /* face velocities to sources */
 floe_status ice_exchange_stages(ice *s); /* exchange, specific volume */
 floe_status ice_advection_stages(ice *s);
 /* With separated gases: before the points move, and after. */
-floe_status ice_sealed_pressure_stages(ice *s);
-floe_status ice_sealed_flow_stages(ice *s);
-/* Their stages (ice_sealed.c). Each applies the plain stages to one gas after the other. */
-floe_status ice_sealed_ghosts(ice *s);        /* extrapolates states into cells without the gas, for differences */
-floe_status ice_sealed_pressure(ice *s);      /* 2.1 */
-floe_status ice_sealed_wall_flow(ice *s);     /* 7.7 */
-floe_status ice_sealed_velocity(ice *s);      /* 2.2 */
-floe_status ice_sealed_increment(ice *s);     /* 2.3 */
-floe_status ice_sealed_face_pressure(ice *s); /* 2.4 */
-floe_status ice_sealed_load(ice *s);          /* forces on the boundaries */
-floe_status ice_sealed_wall_pressure(ice *s); /* applies the changes of wall pressure (ice_merged_pieces.c) */
-floe_status ice_sealed_guess(ice *s);         /* 7.8, instead of 2.3 and 2.4: before the walls have moved */
-floe_status ice_sealed_take(ice *s);          /* 7.8: the pressure found with them */
-floe_status ice_sealed_sources(ice *s);       /* 2.6, 2.8, with the work on the boundaries */
-floe_status ice_sealed_advect(ice *s);        /* 2.11, with the new open fractions */
+floe_status ice_cut_pressure_stages(ice *s);
+floe_status ice_cut_flow_stages(ice *s);
+/* Their stages (ice_cut.c). Each applies the plain stages to one gas after the other. */
+floe_status ice_cut_ghosts(ice *s);        /* extrapolates states into cells without the gas, for differences */
+floe_status ice_cut_pressure(ice *s);      /* 2.1 */
+floe_status ice_cut_wall_flow(ice *s);     /* 7.7 */
+floe_status ice_cut_velocity(ice *s);      /* 2.2 */
+floe_status ice_cut_increment(ice *s);     /* 2.3 */
+floe_status ice_cut_face_pressure(ice *s); /* 2.4 */
+floe_status ice_cut_load(ice *s);          /* forces on the boundaries */
+floe_status ice_cut_wall_pressure(ice *s); /* applies the changes of wall pressure (ice_merged_pieces.c) */
+floe_status ice_cut_guess(ice *s);         /* 7.8, instead of 2.3 and 2.4: before the walls have moved */
+floe_status ice_cut_take(ice *s);          /* 7.8: the pressure found with them */
+floe_status ice_cut_sources(ice *s);       /* 2.6, 2.8, with the work on the boundaries */
+floe_status ice_cut_advect(ice *s);        /* 2.11, with the new open fractions */
 /* The pressures on walls that they move by, with all cells (7.8): a wall_solver; fluids: the ice. */
-floe_status ice_sealed_solve(void *fluids, const wall_motion *motion, double *pressure);
-/* Which membranes are inside which, from where they are (SEAL_NOW). They stay so. */
-void ice_seal_nest(ice *s);
-/* FLOE_RETRY where boundaries cross each other at a position (SEAL_NOW to SEAL_NEXT); the message says where. */
-floe_status ice_seal_check(const ice *s, int place);
+floe_status ice_cut_solve(void *fluids, const wall_motion *motion, double *pressure);
+/* Which membranes are inside which, from where they are (CUT_NOW). They stay so. */
+void ice_cut_nest(ice *s);
+/* FLOE_RETRY where boundaries cross each other at a position (CUT_NOW to CUT_NEXT); the message says where. */
+floe_status ice_cut_check(const ice *s, int place);
 /* Open fractions and states at the start, with the boundaries at their current positions. */
-floe_status ice_sealed_initialise(ice *s);
+floe_status ice_cut_initialise(ice *s);
 /* The fluid-only step. */
 floe_status ice_step(ice *s);
 

@@ -1,11 +1,11 @@
 /* Making the ICE solver: which materials, which loads, which fields, which kernels. */
+#include "ice/cut/ice_cut.h"
 #include "ice/equilibrium/ice_equilibrium.h"
 #include "ice/exchange/ice_exchange.h"
 #include "ice/flux/ice_flux.h"
 #include "ice/implicit/ice_implicit.h"
 #include "ice/inject/ice_inject.h"
 #include "ice/points/ice_points.h"
-#include "ice/sealed/ice_sealed.h"
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_state.h"
@@ -97,7 +97,7 @@ static floe_status resolve_materials(ice *s, bool with_points)
 static void resolve_regions(ice *s)
 {
     const bool apart = scene_is_cut(s->scene) && !s->scene->fluids_share;
-    s->cut = scene_is_cut(s->scene) ? &ice_sealed_geometry : NULL;
+    s->cut = scene_is_cut(s->scene) ? &ice_embedded_geometry : NULL;
     s->n_regions = apart ? s->n_materials : 1;
     for (int g = 0; g < s->n_regions; ++g) s->region[g] = (ice_region){g, g, apart ? 1 : s->n_materials};
 }
@@ -151,7 +151,7 @@ void ice_destroy(ice **s)
     ice *w = *s;
     context *ctx = w->ctx;
     ice_implicit_destroy(ctx, &w->rows, w->n_regions);
-    ice_sealing_destroy(ctx, &w->sealing);
+    ice_cut_cells_destroy(ctx, &w->cut_cells);
     ice_injection_destroy(ctx, &w->injection);
     ice_heated_destroy(ctx, &w->heated);
     ice_reactions_destroy(ctx, &w->reactions);
@@ -240,7 +240,7 @@ floe_status ice_register(ice *s, domain *d)
 {
     s->domain = d;
     TRY(register_fields(s, d));
-    if (s->cut) TRY(ice_sealing_create(s));
+    if (s->cut) TRY(ice_cut_cells_create(s));
     const size_t advect = ice_advect_buffer(s), trace = ice_may_trace(s) ? ice_trace_buffer(s) : 0;
     TRY(ice_storage_create(s, advect > trace ? advect : trace, ice_is_mixture(s) && ice_reaction_count(s) == 0));
     if (ice_is_mixture(s)) TRY(ice_closure_create(s));

@@ -3,9 +3,9 @@
 #include "ice/ice_quasi_static.h"
 
 #include "base/memory.h"
+#include "ice/cut/ice_cut.h"
 #include "ice/exchange/ice_exchange.h"
 #include "ice/ice_constants.h"
-#include "ice/sealed/ice_sealed.h"
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_cell_numbers.h"
@@ -78,7 +78,7 @@ void ice_quasi_static_destroy(ice_quasi_static **r)
 static double gas_share_of_cell(const ice *s, int r, const int cell[MESH_MAX_DIM])
 {
     const ice_owned_cell c = ice_find_cell(s, cell);
-    if (s->cut) return ice_open_cell(s, ice_region_of(s, r)->number, SEAL_NOW, cell);
+    if (s->cut) return ice_open_cell(s, ice_region_of(s, r)->number, CUT_NOW, cell);
     const double rho = field_get(c.f, C_RHO, r, 0)[c.at];
     return ice_is_mixture(s) ? rho * field_get(c.f, C_VOL, r, 0)[c.at] : rho > 0.0 ? 1.0 : 0.0;
 }
@@ -94,7 +94,7 @@ static bool find_cell_beside(const mesh *m, const int from[MESH_MAX_DIM], int ax
 
 static bool gas_passes_face(const ice *s, const ice_quasi_static *r, const int cell[MESH_MAX_DIM], int axis, int side)
 {
-    return !s->cut || ice_open_face(s, ice_region_of(s, r->material)->number, SEAL_NOW, cell, axis, side) > 0.0;
+    return !s->cut || ice_open_face(s, ice_region_of(s, r->material)->number, CUT_NOW, cell, axis, side) > 0.0;
 }
 
 static floe_status open_region(const ice *s, ice_gas_region *g, const bc_side *side)
@@ -289,7 +289,7 @@ static cell_gas gas_of(const ice *s, const ice_quasi_static *r, const ice_gas_re
     const int region = r->n == 1 ? 0 : ice_gas_region_near(s, r, cell); /* a membrane may have moved far */
     const bool had = r->of[number] >= 0;
     const double pressure = region >= 0 ? state[region].pressure : s->scene->reference_pressure;
-    double share = s->cut ? ice_open_cell(s, ice_region_of(s, r->material)->number, SEAL_NEXT, cell)
+    double share = s->cut ? ice_open_cell(s, ice_region_of(s, r->material)->number, CUT_NEXT, cell)
                           : 1.0 - take_solids(s, &c, pressure);
     if (!s->cut && !(share > (had ? ICE_SHARE_TO_STAY : ICE_SHARE_TO_ENTER))) share = 0.0;
     return (cell_gas){region, region >= 0 ? share : 0.0};

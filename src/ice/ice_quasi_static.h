@@ -38,7 +38,7 @@ void ice_quasi_static_destroy(ice_quasi_static **r);
 floe_status ice_quasi_static_find(ice *s, ice_quasi_static *r);
 /* Region of a global cell, or of a neighbour where that has none; -1: none there either. */
 int ice_gas_region_near(const ice *s, const ice_quasi_static *r, const int cell[MESH_MAX_DIM]);
-/* Sets the cells after the solids have moved (their densities and the boundaries at SEAL_NEXT are known): each region
+/* Sets the cells after the solids have moved (their densities and the boundaries at CUT_NEXT are known): each region
  * with its gas at rest. FLOE_NO_MEMORY. */
 floe_status ice_quasi_static_fill(ice *s, const ice_quasi_static *r, const ice_gas_region_state *state);
 

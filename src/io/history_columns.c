@@ -202,7 +202,7 @@ static void add_enclosed_gas_columns(line *l, int body, const char *label, const
     const bool radial = l->s->mesh.geometry == MESH_AXISYMMETRIC, space = l->s->mesh.dim == 3;
     membrane_enclosure enclosure = {0};
     if (row) mpm_membrane_enclosure(l->s->mpm, body, &enclosure);
-    if (row && l->s->sealed && holds >= 0) { /* the gas is on the cells */
+    if (row && l->s->embedded && holds >= 0) { /* the gas is on the cells */
         enclosure.pressure = row->mean_pressure ? row->mean_pressure[holds] : (double)NAN;
         enclosure.outside = ice_mass_beyond(l->s->ice, ice_material_of(l->s->ice, holds));
     }
@@ -316,7 +316,7 @@ static floe_status visit_columns(const sim *s, const history_row *row, strbuf *o
     add_value(&l, "strain", "J", row ? l.whole * row->totals->strain : 0.0);
     add_value(&l, "internal", "J", row ? l.whole * row->totals->internal : 0.0);
     for (int m = 0; m < s->scene->n_materials; m++) add_material_columns(&l, m, row);
-    if (s->sealed && s->scene->method.interface == INTERFACE_SHARP)
+    if (s->embedded && s->scene->method.interface == INTERFACE_SHARP)
         add_value(&l, "gas_in_solids", "kg", row ? l.whole * mass_beyond(s) : 0.0);
     if (s->scene->n_springs > 0) add_value(&l, "strain_springs", "J", row ? l.whole * row->totals->mpm.springs : 0.0);
     for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) add_body_columns(&l, b, row);

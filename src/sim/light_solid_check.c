@@ -144,7 +144,7 @@ floe_status light_solid_check(sim *s)
 {
     double range[2];
     const int body = s->mpm && s->ice ? lightest_moved_solid(s->scene) : -1;
-    if (body < 0 || (s->sealed && !is_sharp(s)) || sim_is_static(s)) return FLOE_OK;
+    if (body < 0 || (s->embedded && !is_sharp(s)) || sim_is_static(s)) return FLOE_OK;
     ice_densities(s->ice, range);
     s->has_light = s->has_light || density_of(s->scene, body) < least_share * range[1];
     return s->has_light ? look_at_bodies(s, range[1]) : FLOE_OK;

@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "ice/ice_quasi_static.h"
 #include "sim/coupled.h"
-#include "sim/sealed_gases.h"
+#include "sim/embedded.h"
 
 #include <string.h>
 
@@ -58,7 +58,7 @@ void quasi_static_gas_destroy(quasi_static_gas **g)
 static floe_status push_markers(quasi_static_gas *g)
 {
     /* Several lines hold gases of several kinds, which do not come here. */
-    const cut_surface *c = &g->s->sealed->line[0].place[SEAL_NOW];
+    const cut_surface *c = &g->s->embedded->boundary[0].place[CUT_NOW];
     const size_t numbers = 3 * (size_t)c->n_vertices;
     TRY(memory_resize(g->ctx, &g->unit_force, numbers * (size_t)g->cells->n, sizeof *g->unit_force));
     memset(g->unit_force, 0, numbers * (size_t)g->cells->n * sizeof *g->unit_force);
@@ -76,7 +76,7 @@ static floe_status push_markers(quasi_static_gas *g)
 static floe_status quasi_static_gas_find(quasi_static_gas *g)
 {
     sim *s = g->s;
-    if (s->sealed) TRY(sealed_find_still(s->sealed));
+    if (s->embedded) TRY(embedded_find_still(s->embedded));
     TRY(ice_quasi_static_find(s->ice, g->cells));
     TRY(memory_resize(g->ctx, &g->gas, (size_t)g->cells->n, sizeof *g->gas));
     for (int r = 0; r < g->cells->n; ++r) {
@@ -89,7 +89,7 @@ static floe_status quasi_static_gas_find(quasi_static_gas *g)
                               .heat = region->heat,
                               .open = region->open};
     }
-    if (s->sealed) TRY(push_markers(g));
+    if (s->embedded) TRY(push_markers(g));
     s->mpm->gas = g->gas;
     s->mpm->n_gases = g->cells->n;
     s->mpm->gas_of = g->cells->seen;
@@ -98,13 +98,13 @@ static floe_status quasi_static_gas_find(quasi_static_gas *g)
 
 static floe_status quasi_static_gas_move(quasi_static_gas *g)
 {
-    return g->s->sealed ? sealed_find_moved(g->s->sealed) : FLOE_OK;
+    return g->s->embedded ? embedded_find_moved(g->s->embedded) : FLOE_OK;
 }
 
 floe_status quasi_static_gas_step(sim *s)
 {
     quasi_static_gas *g = s->quasi_static_gas;
-    const bool cut = s->sealed, m = ice_is_mixture(s->ice);
+    const bool cut = s->embedded, m = ice_is_mixture(s->ice);
     STAGE(g, ALWAYS, quasi_static_gas_find,
           READS(P_ID, P_POS, C_RHO, C_VEL, C_ENERGY, C_PRESSURE, C_TEMP, WHEN(cut, C_OPEN), WHEN(m, C_VOL),
                 WHEN(m, C_SOUND), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),

@@ -6,9 +6,9 @@
 #include "scene/layout.h"
 #include "scene/unsupported.h"
 #include "sim/coupled.h"
+#include "sim/embedded.h"
 #include "sim/light_solid_check.h"
 #include "sim/quasi_static_gas.h"
-#include "sim/sealed_gases.h"
 #include "sim/statics.h"
 #include "sim/tracer.h"
 
@@ -54,7 +54,7 @@ static floe_status check_coupling(const sim *s)
 floe_status sim_run_stages(sim *s)
 {
     if (s->quasi_static_gas) return quasi_static_gas_step(s);
-    if (s->sealed) return sealed_step(s);
+    if (s->embedded) return embedded_step(s);
     if (s->mpm && s->ice) return coupled_step(s);
     return s->mpm ? mpm_step(s->mpm) : ice_step(s->ice);
 }
@@ -73,7 +73,7 @@ static floe_status make_solvers(sim *s, const bool points, const bool cells)
     if (points) TRY(mpm_create(&s->mpm, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, cells));
     const bool is_cut = points && cells && scene_is_cut(s->scene);
     if (cells) TRY(ice_create(&s->ice, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, points && !is_cut));
-    if (points && cells) TRY(is_cut ? sealed_create(&s->sealed, s) : transfer_create(&s->transfer, s));
+    if (points && cells) TRY(is_cut ? embedded_create(&s->embedded, s) : transfer_create(&s->transfer, s));
     TRY(sim_choose_solver(s));
     TRY(make_plan(s));
     TRY(domain_create(&s->domain, s->ctx, &s->mesh));
@@ -88,8 +88,8 @@ static floe_status set_initial_state(sim *s)
     if (s->mpm) TRY(mpm_seed(s->mpm));
     if (s->transfer)
         TRY(coupled_initialise(s));
-    else if (s->sealed)
-        TRY(sealed_initialise(s));
+    else if (s->embedded)
+        TRY(embedded_initialise(s));
     else if (s->ice)
         TRY(ice_initialise(s->ice, NULL));
     if (s->scene->n_tracers > 0) TRY(tracers_create(&s->tracers, s));
@@ -109,7 +109,7 @@ static floe_status fill_sim(sim *s)
     TRY(sim_choose_pressure(s));
     TRY(sim_choose_substeps(s));
     ledger_choose(&s->ledger, &s->mesh);
-    if (s->sealed) ledger_leave_moments(&s->ledger);
+    if (s->embedded) ledger_leave_moments(&s->ledger);
     return sim_open_ledger(s);
 }
 
@@ -137,7 +137,7 @@ void sim_destroy(sim **s)
     quasi_static_gas_destroy(&(*s)->quasi_static_gas);
     tracers_destroy(ctx, &(*s)->tracers);
     transfer_destroy(&(*s)->transfer);
-    sealed_destroy(&(*s)->sealed);
+    embedded_destroy(&(*s)->embedded);
     ice_destroy(&(*s)->ice);
     mpm_destroy(&(*s)->mpm);
     domain_destroy(&(*s)->domain);

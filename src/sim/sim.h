@@ -20,7 +20,7 @@ typedef struct sim {
     mpm *mpm;                                  /* owned; NULL without points */
     ice *ice;                                  /* owned; NULL without cells */
     struct transfer *transfer;                 /* owned; NULL unless solids share cells with fluids */
-    struct sealed *sealed;                     /* owned; NULL without embedded boundaries */
+    struct embedded *embedded;                 /* owned; NULL without embedded boundaries */
     struct tracers *tracers;                   /* owned; NULL unless the scene has tracers (sim/tracer.h) */
     struct quasi_static_gas *quasi_static_gas; /* owned; NULL unless steps are implicit beside gas on cells */
     char pressure_reason[256];                 /* with method.pressure auto: the last choice, and why; "" otherwise */

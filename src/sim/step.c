@@ -1,7 +1,7 @@
 /* Time steps: chosen, taken, and, where they go bad, taken again smaller (docs/structure.md, A step). */
+#include "sim/embedded.h"
 #include "sim/light_solid_check.h"
 #include "sim/quasi_static_gas.h"
-#include "sim/sealed_gases.h"
 #include "sim/statics.h"
 
 #include <math.h>
@@ -29,7 +29,7 @@ static floe_status stable_step(sim *s, double *dt, const char **reason)
     if (s->most_substeps > 1) sim_take_substeps(s, cells.dt, &points);
     limit_step(dt, reason, points.dt, points.reason);
     limit_step(dt, reason, cells.dt, cells.reason);
-    if (s->sealed)
+    if (s->embedded)
         limit_step(dt, reason, light_solid_step(s, cells.dt / s->scene->time.cfl_ice),
                    "gas on a solid lighter than it");
     return FLOE_OK;
@@ -149,7 +149,7 @@ floe_status sim_step(sim *s, double until)
     const char *reason;
     if (s->has_light) TRY(light_solid_check(s));
     TRY(sim_choose_pressure(s));
-    if (s->sealed) sealed_use_wall_response(s->sealed, wall_pressure_is_implicit(s));
+    if (s->embedded) embedded_use_wall_response(s->embedded, wall_pressure_is_implicit(s));
     TRY(choose_step(s, until, &dt, &reason));
     const bool last = dt == until - s->time;
     const double full = dt;

@@ -16,7 +16,7 @@ static const char *substep_obstacle(const sim *s)
 {
     if (!s->mpm || !s->ice) return "points and cells do not share the scene";
     if (sim_solves(s)) return "the points' steps are solved for";
-    if (!s->sealed)
+    if (!s->embedded)
         return "the interface is smeared, where exchange takes each step of the points (method.interface: sharp)";
     if (s->scene->method.interface != INTERFACE_SHARP)
         return "a membrane around gas is as light as the gas that it moves";

@@ -1,6 +1,6 @@
 /* York's airbag (inputs/airbag_200.yaml, airbag_500.yaml) with its gas on the cells: nothing leaks, and what probe, bag and gas have of mass,
  * momentum and energy stays theirs, with a contact and against the pressure of the air, too. (Gas as points: test_mpm_airbag.c.) */
-#include "sealed_fixture.h"
+#include "embedded_fixture.h"
 
 enum { BAG, PROBE }; /* the bodies of points */
 

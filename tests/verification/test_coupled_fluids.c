@@ -32,9 +32,9 @@ static void check_balances(trial *t, int axes, double energy)
 /* Force of the fluids on the surface along an axis (N). */
 static double lift_on(const trial *t, int axis)
 {
-    const ice_seal_line *line = &t->sim->ice->seal.line[0];
+    const ice_embedded_boundary *line = &t->sim->ice->embedded.boundary[0];
     double sum = 0.0;
-    for (int k = 0; k < line->place[SEAL_NOW].n_vertices; ++k) sum += line->force[3 * k + axis];
+    for (int k = 0; k < line->place[CUT_NOW].n_vertices; ++k) sum += line->force[3 * k + axis];
     return sum;
 }
 

@@ -157,7 +157,7 @@ ALSO = {"balance": {"statics", "rest"}, "edge": {"edges"}, "normal": {"normals"}
         "heat": {"diffusion"}, "traction": {"force"}, "cut": {"sharp"}, "choose": {"tolerance"}, "wall": {"side"},
         "coupling": {"coupled"}, "strip": {"transfer"}, "cell": {"transfer"}, "trace": {"exchange"}, "dispersed": {"exchange", "law"},
         "equilibrium": {"exchange"}, "implicit": {"statics", "rest"}, "loads": {"force"}, "seed": {"sort"}, "scatter": {"kernel", "bits"},
-        "gather": {"kernel", "bits"}, "project": {"kernel", "bits"}, "stencil": {"basis", "bits"}, "merged": {"sealed"}, "json": {"bars"},
+        "gather": {"kernel", "bits"}, "project": {"kernel", "bits"}, "stencil": {"basis", "bits"}, "merged": {"embedded"}, "json": {"bars"},
         "write": {"bars"}, "profile": {"compare", "report"}, "figure": {"compare"}, "miss": {"bars", "check"}, "front": {"values"}}
 
 

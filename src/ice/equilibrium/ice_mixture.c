@@ -308,7 +308,7 @@ static void extrapolate_gas_state(const mixture_row *q, const mixture_run *run, 
 
 /* ---- rows ---- */
 
-/* Cells that solids fill have no state, but for the step (ice_sealed_ghosts). */
+/* Cells that solids fill have no state, but for the step (ice_cut_ghosts). */
 static bool in_a_solid(const mixture_row *q, const mixture_run *run)
 {
     const double *open = q->v->m[0].open;

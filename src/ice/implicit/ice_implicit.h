@@ -1,5 +1,5 @@
 /* The implicit pressure (theory 3): the linear system of each region and the passes over the blocks that make it. Beside
- * embedded boundaries sealed/ice_sealed_implicit.c puts the search together from them, with cut cells and walls (theory 7.8). */
+ * embedded boundaries cut/ice_cut_implicit.c puts the search together from them, with cut cells and walls (theory 7.8). */
 #ifndef ICE_IMPLICIT_H
 #define ICE_IMPLICIT_H
 

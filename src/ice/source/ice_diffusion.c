@@ -379,53 +379,53 @@ void ice_diffuse(const ice *s, const ice_region *g)
 /* ---- beside embedded boundaries ---- */
 
 /* At t^n, with velocities at the centres of cells where a fluid is viscous (theory 7.7). */
-static diffusing sealed_now(const ice_view *v, int r)
+static diffusing embedded_now(const ice_view *v, int r)
 {
     const ice_fluid *m = &v->m[r];
     double *const *u = m->centred[0] ? m->centred : m->u;
     return diffusing_of(v, r, (const double *const[3]){u[0], u[1], u[2]}, m->diffT);
 }
 
-static void apply_sealed(const ice *s, const ice_view *v, int r)
+static void apply_cut(const ice *s, const ice_view *v, int r)
 {
     (void)s;
-    const diffusing d = sealed_now(v, r);
+    const diffusing d = embedded_now(v, r);
     each_row(v, r, &d, apply_rows);
 }
 
-static void enter_sealed_side(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+static void enter_cut_side(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
-    const diffusing d = sealed_now(v, r);
+    const diffusing d = embedded_now(v, r);
     enter_face(s, v, axis, side, at, &d);
 }
 
-static void enter_sealed_sides(const ice *s, const ice_view *v, int r)
+static void enter_cut_sides(const ice *s, const ice_view *v, int r)
 {
-    ice_visit_sides(s, v, r, enter_sealed_side);
+    ice_visit_sides(s, v, r, enter_cut_side);
 }
 
-ice_face_diffusion ice_sealed_stress(const ice_view *v, int r, int axis, ptrdiff_t R, ptrdiff_t i)
+ice_face_diffusion ice_cut_stress(const ice_view *v, int r, int axis, ptrdiff_t R, ptrdiff_t i)
 {
-    const diffusing d = sealed_now(v, r);
+    const diffusing d = embedded_now(v, r);
     return diffusion_on(&d, axis, R, i, v->dim, is_radial(v, &d));
 }
 
-double ice_sealed_hoop(const ice_view *v, int r, ptrdiff_t at, ptrdiff_t i)
+double ice_cut_hoop(const ice_view *v, int r, ptrdiff_t at, ptrdiff_t i)
 {
-    const diffusing d = sealed_now(v, r);
+    const diffusing d = embedded_now(v, r);
     return is_radial(v, &d) ? diffusion_hoop(&d, at, i, v->dim) : 0.0;
 }
 
-void ice_diffuse_sealed(const ice *s, const ice_region *g)
+void ice_diffuse_cut(const ice *s, const ice_region *g)
 {
     for (int r = 0; r < g->n; ++r) {
         if (!material_diffuses(s, &s->material[g->first + r])) continue;
-        each_block(s, g, r, apply_sealed);
-        each_block(s, g, r, enter_sealed_sides);
+        each_block(s, g, r, apply_cut);
+        each_block(s, g, r, enter_cut_sides);
     }
 }
 
-static void sealed_rates_of(const ice *s, const ice_view *v, int r)
+static void embedded_rates_of(const ice *s, const ice_view *v, int r)
 {
     (void)s;
     double *const *u = v->m[r].centred;
@@ -438,9 +438,9 @@ bool ice_diffusion_moves_faces(const ice *s)
     return ice_diffuses(s) || (s->cut && s->implicit && ice_is_viscous(s));
 }
 
-void ice_sealed_diffusion_rates(const ice *s, const ice_region *g)
+void ice_cut_diffusion_rates(const ice *s, const ice_region *g)
 {
-    for (int r = 0; r < g->n; ++r) each_block(s, g, r, sealed_rates_of);
+    for (int r = 0; r < g->n; ++r) each_block(s, g, r, embedded_rates_of);
 }
 
 void ice_find_temperatures(const ice *s, const ice_region *g)

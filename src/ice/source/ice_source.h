@@ -12,7 +12,7 @@ bool ice_diffuses(const ice *s);
 /* Whether viscosity moves the faces: where ice_diffuses, and beside embedded boundaries with the implicit pressure. */
 bool ice_diffusion_moves_faces(const ice *s);
 /* Force of viscosity (N/m3) on each whole cell of a region beside embedded boundaries, at t^n. */
-void ice_sealed_diffusion_rates(const ice *s, const ice_region *g);
+void ice_cut_diffusion_rates(const ice *s, const ice_region *g);
 
 /* Half a step's force on the face velocities, and half a step's heat on the advanced pressure (the array P); a whole step's of
  * both where the implicit pressure is at its end. */
@@ -24,12 +24,12 @@ floe_status ice_diffusion_rates_of(ice *s, const ice_region *g);
 typedef struct ice_face_diffusion {
     double t[3], power; /* traction along the axes; power that crosses downwards, by stress and heat */
 } ice_face_diffusion;
-ice_face_diffusion ice_sealed_stress(const ice_view *v, int r, int axis, ptrdiff_t R, ptrdiff_t i);
+ice_face_diffusion ice_cut_stress(const ice_view *v, int r, int axis, ptrdiff_t R, ptrdiff_t i);
 /* What unlike fluids of the next cell do besides to a fluid of the cell of which the face is the lower or the upper one. */
 ice_face_diffusion ice_stress_between(const ice *s, const ice_view *v, int r, int axis, ptrdiff_t R, ptrdiff_t i,
                                       mesh_side side);
 /* Radial force per volume of the hoop stress on a cell; 0 in the plane. */
-double ice_sealed_hoop(const ice_view *v, int r, ptrdiff_t at, ptrdiff_t i);
+double ice_cut_hoop(const ice_view *v, int r, ptrdiff_t at, ptrdiff_t i);
 
 /* P dP of a cell (theory 2.7), and what a fluid among several gains by it per mass (2.8 i). */
 double ice_compression_work(const ice_view *v, ptrdiff_t at);

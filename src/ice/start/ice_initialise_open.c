@@ -2,8 +2,8 @@
 #include "ice/start/ice_first_contents.h"
 #include "ice/start/ice_start.h"
 
+#include "ice/cut/ice_cut.h"
 #include "ice/ice_constants.h"
-#include "ice/sealed/ice_sealed.h"
 #include "ice/state/ice_given.h"
 #include "ice/state/ice_materials.h"
 
@@ -17,7 +17,7 @@ static floe_status fill_open(const ice *s, const int cell[3], const double lo[3]
     double free = 1.0;
     TRY(ice_add_bodies(s, lo, &free, contents));
     for (int r = 0; r < s->n_materials; ++r) {
-        const double open = ice_open_cell(s, ice_region_of(s, r)->number, SEAL_NOW, cell);
+        const double open = ice_open_cell(s, ice_region_of(s, r)->number, CUT_NOW, cell);
         const bool ambient = s->scene->has_ambient && ice_material_of(s, s->scene->ambient_material) == r;
         content *c = &contents[r];
         if (open == 0.0) memset(c, 0, sizeof *c);
@@ -89,14 +89,14 @@ static bool step_to_opener(const ice *s, int cell[3])
 {
     const int region = s->region[0].number;
     int best[3] = {0, 0, 0};
-    double most_open = ice_open_cell(s, region, SEAL_NOW, cell);
+    double most_open = ice_open_cell(s, region, CUT_NOW, cell);
     bool found = false;
     for (int f = 0; f < 2 * s->mesh->dim; ++f) {
         int next[3] = {cell[0], cell[1], cell[2]};
         next[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
         if (s->gravity[f / 2] != 0.0 || next[f / 2] < 0 || next[f / 2] >= s->mesh->n[f / 2]) continue;
-        if (!(ice_open_face(s, region, SEAL_NOW, cell, f / 2, f % 2) > 0.0)) continue;
-        const double open = ice_open_cell(s, region, SEAL_NOW, next);
+        if (!(ice_open_face(s, region, CUT_NOW, cell, f / 2, f % 2) > 0.0)) continue;
+        const double open = ice_open_cell(s, region, CUT_NOW, next);
         if (!(open > most_open)) continue;
         most_open = open;
         found = true;
@@ -113,7 +113,7 @@ static bool find_level(const ice *s, int cell[3])
     for (int a = 0; a < s->mesh->dim; ++a) weight = weight || s->gravity[a] != 0.0;
     for (int step = 0; weight && step < 4; ++step) {
         if (!step_to_opener(s, cell)) return false;
-        if (ice_open_cell(s, s->region[0].number, SEAL_NOW, cell) == 1.0) return true;
+        if (ice_open_cell(s, s->region[0].number, CUT_NOW, cell) == 1.0) return true;
     }
     return false;
 }
@@ -129,7 +129,7 @@ static double largest_difference(const ice *s, const content *contents, const do
  * to a wall, too; where the solid displaces one of them alone, as samples have it, or like the whole cell beside it. */
 static floe_status fill_shared(const ice *s, const int cell[3], const double lo[3], content *contents)
 {
-    const double open = ice_open_cell(s, s->region[0].number, SEAL_NOW, cell);
+    const double open = ice_open_cell(s, s->region[0].number, CUT_NOW, cell);
     double sampled[ICE_MAX_MATERIALS] = {0.0}, own[ICE_MAX_MATERIALS];
     content level[ICE_MAX_MATERIALS];
     int beside[3] = {cell[0], cell[1], cell[2]};
@@ -155,7 +155,7 @@ static floe_status fill_shared(const ice *s, const int cell[3], const double lo[
 
 static void store_shared(const ice *s, const ice_view *v, const int cell[3], ptrdiff_t at, const content *contents)
 {
-    for (int r = 0; r < s->n_materials; ++r) v->m[r].open[at] = ice_open_cell(s, s->region[0].number, SEAL_NOW, cell);
+    for (int r = 0; r < s->n_materials; ++r) v->m[r].open[at] = ice_open_cell(s, s->region[0].number, CUT_NOW, cell);
     ice_store_contents(s, v, at, contents);
 }
 
@@ -164,7 +164,7 @@ static void store_open(const ice *s, const ice_view *v, const int cell[3], ptrdi
 {
     for (int r = 0; r < s->n_materials; ++r) {
         const double share = contents[r].fraction;
-        v->m[r].open[at] = ice_open_cell(s, ice_region_of(s, r)->number, SEAL_NOW, cell);
+        v->m[r].open[at] = ice_open_cell(s, ice_region_of(s, r)->number, CUT_NOW, cell);
         contents[r].mass /= share > 0.0 ? share : 1.0;
         contents[r].energy /= share > 0.0 ? share : 1.0;
         contents[r].fraction = 1.0 / s->n_materials; /* stored as they are */
@@ -199,9 +199,9 @@ static floe_status fill_open_cells(ice *s)
     return FLOE_OK;
 }
 
-floe_status ice_sealed_initialise(ice *s)
+floe_status ice_cut_initialise(ice *s)
 {
     TRY(fill_open_cells(s));
-    TRY(ice_sealed_merge_start(s));
-    return ice_asks_for_rest(s) ? ice_sealed_hydrostatic(s) : FLOE_OK;
+    TRY(ice_cut_merge_start(s));
+    return ice_asks_for_rest(s) ? ice_cut_hydrostatic(s) : FLOE_OK;
 }

@@ -100,7 +100,7 @@ static void gather_vector(writer *w, field_id id, int instance)
     for (int c = 0; c < w->s->mesh.dim; c++) gather_values(w, id, instance, c, 3, w->data + c);
 }
 
-/* Beyond a membrane a gas has no pressure: what stands there is lent to it for differences (ice_sealed.c). */
+/* Beyond a membrane a gas has no pressure: what stands there is lent to it for differences (ice_cut.c). */
 static floe_status mask_closed(writer *w, int instance, double *data)
 {
     const size_t n = count_entries(w);

@@ -1,7 +1,7 @@
 /* Gravity in merged cells (ice_merged_cells.h; theory 7.4), and gas at rest between walls. Merged cells have one density, and one pressure P at the centroid
  * of their open volume; elsewhere in them the pressure is P + rho g . (x - centroid), whose forces on faces and pieces add up to their weight (Gauss). The
  * stages of whole cells use the pressure at the centres of cells, so that their differences balance as those of a plain column do (theory 2.4). */
-#include "ice/sealed/ice_merged_cells.h"
+#include "ice/cut/ice_merged_cells.h"
 #include "ice/state/ice_given.h"
 
 #include "base/memory.h"
@@ -17,10 +17,10 @@ bool ice_has_weight(const ice *s)
 /* Moment (m) of what a gas has of a cell about the cell's centre, over the cell's volume. */
 static double moment_of(const ice *s, int region, int place, const int cell[3], int axis)
 {
-    const ice_seal_line *line = s->seal.line;
+    const ice_embedded_boundary *line = s->embedded.boundary;
     const int about = ice_line_about(s, region);
     double enclosed = 0.0;
-    for (int l = 0; l < s->seal.n_lines; ++l)
+    for (int l = 0; l < s->embedded.n_boundaries; ++l)
         if (line[l].within == about && l != about) enclosed += cut_moment(&line[l].place[place], cell, axis);
     if (about < 0) return -enclosed;
     const double whole = cut_moment(&line[about].place[place], cell, axis);
@@ -56,7 +56,7 @@ double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member
     const ice_member *lead = &p->member[p->lead[m->merged]];
     double sum = 0.0;
     for (int a = 0; a < s->mesh->dim; ++a) sum += s->gravity[a] * (m->above[a] + from_centre[a]);
-    return s->sealing->view[lead->block].rho_sum[lead->at] * sum;
+    return s->cut_cells->view[lead->block].rho_sum[lead->at] * sum;
 }
 
 bool ice_next_seen(const ice *s, const int cell[3], int *id, ptrdiff_t *at)
@@ -80,17 +80,17 @@ bool ice_next_seen(const ice *s, const int cell[3], int *id, ptrdiff_t *at)
 static void set_cell_pressure(const ice *s, const ice_member *m, double p)
 {
     ptrdiff_t at;
-    for (int id = 0; ice_next_seen(s, m->cell, &id, &at);) s->sealing->view[id - 1].p[at] = p;
+    for (int id = 0; ice_next_seen(s, m->cell, &id, &at);) s->cut_cells->view[id - 1].p[at] = p;
 }
 
 void ice_merged_lift(const ice *s, const ice_region *g)
 {
     static const double centre[3] = {0.0};
-    ice_merged_cells *p = &s->sealing->now[g->number];
-    ice_seal_views(s, g);
+    ice_merged_cells *p = &s->cut_cells->now[g->number];
+    ice_cut_views(s, g);
     for (int n = 0; n < p->count; ++n) {
         const ice_member *lead = &p->member[p->lead[n]];
-        p->sum[(size_t)n * MERGED_SUMS] = s->sealing->view[lead->block].p[lead->at];
+        p->sum[(size_t)n * MERGED_SUMS] = s->cut_cells->view[lead->block].p[lead->at];
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
@@ -102,7 +102,7 @@ bool ice_is_merged(const ice *s, int region, const block *b, int i, int j, int k
 {
     const int cell[3] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k};
     const size_t at = cut_index(s->mesh, cell);
-    return s->sealing->now[region].place[at] >= 0 || ice_open_cell(s, region, SEAL_NOW, cell) == 0.0;
+    return s->cut_cells->now[region].place[at] >= 0 || ice_open_cell(s, region, CUT_NOW, cell) == 0.0;
 }
 
 /* ---- the start ---- */
@@ -126,7 +126,7 @@ static void cell_at(const mesh *m, int number, int cell[3])
 static const ice_view *view_at(const ice *s, const int cell[3], ptrdiff_t *at)
 {
     const int id = mesh_block_of(s->mesh, cell);
-    const ice_view *v = &s->sealing->view[id];
+    const ice_view *v = &s->cut_cells->view[id];
     *at = mesh_index(v->b, cell[0] - v->b->lo[0], cell[1] - v->b->lo[1], cell[2] - v->b->lo[2]);
     return v;
 }
@@ -175,7 +175,7 @@ static void reach_beside(rest_fill *f, int number)
         const int axis = side / 2, step = side % 2 == SIDE_UPPER ? 1 : -1;
         cell[axis] += step;
         if (cell[axis] < 0 || cell[axis] >= m->n[axis] || !has_gas(s, cell)) continue;
-        if (!(ice_open_face(s, f->p->region->number, SEAL_NOW, here, axis, side % 2) > 0.0)) continue;
+        if (!(ice_open_face(s, f->p->region->number, CUT_NOW, here, axis, side % 2) > 0.0)) continue;
         const int other = (int)cut_index(m, cell);
         if (!isnan(f->pressure[other])) continue;
         const double weight = 0.5 * step * ice_weight_along(s, axis) * m->h[axis];
@@ -239,7 +239,7 @@ static double balance_merged_cell(const rest_fill *f, int merged, const ice_give
             cell[axis] += step;
             if (ice_weight_along(s, axis) == 0.0 || cell[axis] < 0 || cell[axis] >= m->n[axis]) continue;
             if (f->p->place[cut_index(m, cell)] >= 0 || !(q->open > 0.0) || !has_gas(s, cell)) continue;
-            if (!(ice_open_face(s, f->p->region->number, SEAL_NOW, q->cell, axis, side % 2) > 0.0)) continue;
+            if (!(ice_open_face(s, f->p->region->number, CUT_NOW, q->cell, axis, side % 2) > 0.0)) continue;
             const int beside = (int)cut_index(m, cell);
             double lever = 0.0, rho = 0.0;
             ptrdiff_t at;
@@ -299,8 +299,8 @@ static floe_status fill_regions(rest_fill *f, int cells)
 static floe_status bring_to_rest(ice *s, const ice_region *g)
 {
     const int cells = (int)mesh_cells(s->mesh);
-    rest_fill f = {.s = s, .p = &s->sealing->now[g->number]};
-    ice_seal_views(s, g);
+    rest_fill f = {.s = s, .p = &s->cut_cells->now[g->number]};
+    ice_cut_views(s, g);
     floe_status status = memory_new(s->ctx, &f.pressure, (size_t)cells, sizeof *f.pressure);
     if (status == FLOE_OK) status = memory_new(s->ctx, &f.given, (size_t)cells, sizeof *f.given);
     if (status == FLOE_OK) status = memory_new(s->ctx, &f.queue, (size_t)cells, sizeof *f.queue);
@@ -311,7 +311,7 @@ static floe_status bring_to_rest(ice *s, const ice_region *g)
     return status;
 }
 
-floe_status ice_sealed_hydrostatic(ice *s)
+floe_status ice_cut_hydrostatic(ice *s)
 {
     for (int g = 0; g < s->n_regions && ice_has_weight(s); ++g) TRY(bring_to_rest(s, &s->region[g]));
     return FLOE_OK;

@@ -1,6 +1,6 @@
 /* Decks with a membrane around gas of the cells, and what tells whether anything has happened or has passed. */
-#ifndef TESTS_VERIFICATION_SEALED_FIXTURE_H
-#define TESTS_VERIFICATION_SEALED_FIXTURE_H
+#ifndef TESTS_VERIFICATION_EMBEDDED_FIXTURE_H
+#define TESTS_VERIFICATION_EMBEDDED_FIXTURE_H
 
 #include "coupled_fixture.h"
 

@@ -1,7 +1,7 @@
 /* States of merged cells that several fluids share (ice_merged_cells.h; theory 7.2). Densities refer to the open volume, as for one fluid; all members of a
  * merged cell have one state. After a step the contents of the members are summed and divided in proportion to their new open volumes. No member gives more
  * of a fluid than the merged cell contains. */
-#include "ice/sealed/ice_merged_cells.h"
+#include "ice/cut/ice_merged_cells.h"
 
 #include "base/memory.h"
 #include "ice/exchange/ice_exchange.h"
@@ -26,7 +26,7 @@ static void clear_fluid(const ice_fluid *m, int dim, ptrdiff_t at)
 
 void ice_rest_fluids(const ice *s, const ice_view *v, ptrdiff_t at)
 {
-    const fluid_state *rest = &s->sealing->rest[v->region];
+    const fluid_state *rest = &s->cut_cells->rest[v->region];
     for (int r = 0; r < v->n_materials; ++r) clear_fluid(&v->m[r], v->dim, at);
     v->m[0].rho[at] = rest->density;
     v->m[0].e[at] = rest->energy;
@@ -69,7 +69,7 @@ static const ice_member *lead_of(const ice_merged_cells *p, const ice_member *m)
 
 void ice_join_covered(const ice *s, const ice_region *g)
 {
-    const ice_merged_cells *p = &s->sealing->now[g->number];
+    const ice_merged_cells *p = &s->cut_cells->now[g->number];
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k], *lead = lead_of(p, m);
         if (m->open > 0.0 || !(lead->open > 0.0)) continue;
@@ -107,20 +107,20 @@ static void copy_closed(const ice_view *to, ptrdiff_t at, const ice_view *from, 
 
 void ice_agree_closed(const ice *s, const ice_region *g)
 {
-    const ice_merged_cells *p = &s->sealing->now[g->number];
-    ice_seal_views(s, g);
+    const ice_merged_cells *p = &s->cut_cells->now[g->number];
+    ice_cut_views(s, g);
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k], *lead = lead_of(p, m);
         ptrdiff_t at;
         if (!(lead->open > 0.0)) continue;
         for (int id = 0; ice_next_seen(s, m->cell, &id, &at);)
-            copy_closed(&s->sealing->view[id - 1], at, ice_member_view(s, lead), lead->at);
+            copy_closed(&s->cut_cells->view[id - 1], at, ice_member_view(s, lead), lead->at);
     }
 }
 
 void ice_agree_reacted(const ice *s, const ice_region *g)
 {
-    const ice_merged_cells *p = &s->sealing->now[g->number];
+    const ice_merged_cells *p = &s->cut_cells->now[g->number];
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k], *lead = lead_of(p, m);
         for (int n = 0; n < ice_reaction_count(s); ++n)
@@ -131,7 +131,7 @@ void ice_agree_reacted(const ice *s, const ice_region *g)
 /* Merged cells lie at an interface where one of them does, and then all give sharp profiles. */
 void ice_agree_interfaces(const ice *s, const ice_region *g)
 {
-    const ice_merged_cells *p = &s->sealing->now[g->number];
+    const ice_merged_cells *p = &s->cut_cells->now[g->number];
     double *const mark = p->sum;
     for (int n = 0; n < p->count; ++n) mark[n] = 0.0;
     for (int k = 0; k < p->n; ++k)
@@ -145,7 +145,7 @@ void ice_agree_interfaces(const ice *s, const ice_region *g)
 
 void ice_agree_exchanged(const ice *s, const ice_region *g)
 {
-    const ice_merged_cells *p = &s->sealing->now[g->number];
+    const ice_merged_cells *p = &s->cut_cells->now[g->number];
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k], *lead = lead_of(p, m);
         const ice_view *to = ice_member_view(s, m), *from = ice_member_view(s, lead);
@@ -315,7 +315,7 @@ static floe_status settle_merged(ice *s, ice_merged_cells *p, int merged, bool n
     const ice_region *g = p->region;
     for (int r = 0; r < g->n; ++r) {
         all += fluid_sums(p, merged, r)[FLUID_MASS];
-        thinnest = fmin(thinnest, s->sealing->usual[g->first + r]);
+        thinnest = fmin(thinnest, s->cut_cells->usual[g->first + r]);
     }
     const double volume = sum[MERGED_VOLUME], cell = mesh_cell_volume(s->mesh, lead->cell[0]);
     if (all == 0.0 && next) sum[MERGED_VOLUME] = 0.0;
@@ -379,7 +379,7 @@ static void release_members(const ice *s, const ice_merged_cells *was, const ice
 
 floe_status ice_renew_fluids(ice *s, const ice_region *g)
 {
-    ice_merged_cells *was = &s->sealing->now[g->number], *p = &s->sealing->next[g->number];
+    ice_merged_cells *was = &s->cut_cells->now[g->number], *p = &s->cut_cells->next[g->number];
     sum_advected(s, was);
     for (int merged = 0; merged < was->count; ++merged)
         if (was->sum[(size_t)merged * MERGED_SUMS + MERGED_VOLUME] > 0.0) TRY(settle_merged(s, was, merged, true));
@@ -415,7 +415,7 @@ static void sum_members(const ice *s, ice_merged_cells *p)
 
 floe_status ice_start_fluids(ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = &s->sealing->now[g->number];
+    ice_merged_cells *p = &s->cut_cells->now[g->number];
     sum_members(s, p);
     return store_merged(s, p, false);
 }
@@ -432,7 +432,7 @@ static bool is_unlike(const ice *s, const ice_member *m, const ice_member *lead)
  * are merged now. */
 floe_status ice_remerge_fluids(ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = &s->sealing->now[g->number];
+    ice_merged_cells *p = &s->cut_cells->now[g->number];
     bool *unlike;
     floe_status status = FLOE_OK;
     TRY(memory_new(s->ctx, &unlike, (size_t)p->count + 1, sizeof *unlike));

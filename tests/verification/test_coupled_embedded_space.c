@@ -1,6 +1,6 @@
 /* Membranes in space around gas of the cells: nothing passes them, at rest and in a stream nothing happens, a balloon bears the pressure that it
  * should and breathes with its exact period; the same bits for any blocks, any threads and after a restart. */
-#include "sealed_fixture.h"
+#include "embedded_fixture.h"
 
 #include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
@@ -15,7 +15,7 @@ static const double pi = 3.14159265358979323846;
 /* ---- at rest ---- */
 
 /* Two gases of one pressure inside and outside of a whole sphere, anywhere in its cells. A pressure of 1000 is even to 1e-13 of itself, of which
- * 100 steps make at most 6e-12 m/s (test_coupled_sealed.c). */
+ * 100 steps make at most 6e-12 m/s (test_coupled_embedded.c). */
 static void test_rest(void **unused)
 {
     (void)unused;
@@ -101,7 +101,7 @@ static void test_nested(void **unused)
     mpm_totals points;
     membrane_enclosure in[2];
     sealed_begin(&t, "membrane_sphere", set, sizeof set / sizeof *set);
-    assert_int_equal(t.sim->ice->seal.line[0].within, 1);
+    assert_int_equal(t.sim->ice->embedded.boundary[0].within, 1);
     check_ok(t.ctx, ice_sum(t.sim->ice, &before));
     for (int k = 0; k < 2; ++k) mpm_membrane_enclosure(t.sim->mpm, k, &in[k]);
     trial_steps(&t, 1);

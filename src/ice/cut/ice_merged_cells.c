@@ -1,6 +1,6 @@
 /* Merged cells: which cells share a state (ice_merged_cells.h). */
-#include "ice/sealed/ice_merged_cells.h"
-#include "ice/sealed/ice_wall_flow.h"
+#include "ice/cut/ice_merged_cells.h"
+#include "ice/cut/ice_wall_flow.h"
 
 #include "base/memory.h"
 #include "ice/ice_constants.h"
@@ -11,13 +11,13 @@
 
 bool ice_encloses(const ice *s, int line, int region)
 {
-    const int r = s->seal.line[line].enclosed;
+    const int r = s->embedded.boundary[line].enclosed;
     return r >= 0 && ice_region_of(s, r)->number == region;
 }
 
 int ice_line_about(const ice *s, int region)
 {
-    for (int l = 0; l < s->seal.n_lines; ++l)
+    for (int l = 0; l < s->embedded.n_boundaries; ++l)
         if (ice_encloses(s, l, region)) return l;
     return -1;
 }
@@ -25,27 +25,27 @@ int ice_line_about(const ice *s, int region)
 /* What the boundary about a region has of a cell or face, less what those inside it take. */
 static double share_left(const ice *s, double whole, double enclosed)
 {
-    return s->seal.n_lines > 1 && fabs(whole - enclosed) < ICE_OPEN_ROUND_OFF ? 0.0 : whole - enclosed;
+    return s->embedded.n_boundaries > 1 && fabs(whole - enclosed) < ICE_OPEN_ROUND_OFF ? 0.0 : whole - enclosed;
 }
 
 double ice_open_cell(const ice *s, int region, int place, const int cell[3])
 {
-    const ice_seal_line *line = s->seal.line;
+    const ice_embedded_boundary *line = s->embedded.boundary;
     const int about = ice_line_about(s, region);
     const double whole = about < 0 ? 1.0 : cut_open(&line[about].place[place], cell);
     double enclosed = 0.0;
-    for (int l = 0; l < s->seal.n_lines; ++l)
+    for (int l = 0; l < s->embedded.n_boundaries; ++l)
         if (line[l].within == about && l != about) enclosed += cut_open(&line[l].place[place], cell);
     return enclosed == 0.0 ? whole : share_left(s, whole, enclosed);
 }
 
 double ice_open_face(const ice *s, int region, int place, const int cell[3], int axis, int side)
 {
-    const ice_seal_line *line = s->seal.line;
+    const ice_embedded_boundary *line = s->embedded.boundary;
     const int about = ice_line_about(s, region);
     const double whole = about < 0 ? 1.0 : cut_face(&line[about].place[place], cell, axis, side);
     double enclosed = 0.0;
-    for (int l = 0; l < s->seal.n_lines; ++l)
+    for (int l = 0; l < s->embedded.n_boundaries; ++l)
         if (line[l].within == about && l != about) enclosed += cut_face(&line[l].place[place], cell, axis, side);
     return enclosed == 0.0 ? whole : share_left(s, whole, enclosed);
 }
@@ -58,21 +58,21 @@ static bool is_in_domain(const mesh *m, const int cell[3])
 double ice_mean_face(const ice *s, int region, const int cell[3], int axis, int side)
 {
     double sum = 0.0;
-    for (int k = 0; k < ICE_SEAL_PLACES; ++k) sum += ice_open_face(s, region, SEAL_MEAN + k, cell, axis, side);
-    return sum / ICE_SEAL_PLACES;
+    for (int k = 0; k < ICE_CUT_PREDICTED; ++k) sum += ice_open_face(s, region, CUT_MEAN + k, cell, axis, side);
+    return sum / ICE_CUT_PREDICTED;
 }
 
 double ice_outward(const ice *s, int region, int line)
 {
     const int about = ice_line_about(s, region);
-    return about == line ? 1.0 : s->seal.line[line].within == about ? -1.0 : 0.0;
+    return about == line ? 1.0 : s->embedded.boundary[line].within == about ? -1.0 : 0.0;
 }
 
 /* A region, or where nobody is. */
 static int region_about(const ice *s, int line)
 {
-    const int within = s->seal.line[line].within;
-    return within < 0 ? -1 : ice_region_of(s, s->seal.line[within].enclosed)->number;
+    const int within = s->embedded.boundary[line].within;
+    return within < 0 ? -1 : ice_region_of(s, s->embedded.boundary[within].enclosed)->number;
 }
 
 /* What is left about a line, at least, of a cell and of its faces. */
@@ -88,7 +88,8 @@ static double least_about(const ice *s, int line, int place, const int cell[3])
 static bool lies_in(const ice *s, int line, int other)
 {
     const mesh *m = s->mesh;
-    const cut_surface *in = &s->seal.line[line].place[SEAL_NOW], *about = &s->seal.line[other].place[SEAL_NOW];
+    const cut_surface *in = &s->embedded.boundary[line].place[CUT_NOW],
+                      *about = &s->embedded.boundary[other].place[CUT_NOW];
     double less = 0.0;
     for (int k = 0; k < m->n[2]; ++k)
         for (int j = 0; j < m->n[1]; ++j)
@@ -102,22 +103,22 @@ static bool lies_in(const ice *s, int line, int other)
 }
 
 /* The innermost of the boundaries around it is the one that lies inside all others around it. */
-void ice_seal_nest(ice *s)
+void ice_cut_nest(ice *s)
 {
-    for (int l = 0; l < s->seal.n_lines; ++l) s->seal.line[l].within = -1;
+    for (int l = 0; l < s->embedded.n_boundaries; ++l) s->embedded.boundary[l].within = -1;
     if (scene_enclosing_body(s->scene) < 0) return; /* surfaces of solids are beside each other */
-    for (int l = 0; l < s->seal.n_lines; ++l)
-        for (int k = 0; k < s->seal.n_lines; ++k) {
-            const int within = s->seal.line[l].within;
-            if (k != l && lies_in(s, l, k) && (within < 0 || lies_in(s, k, within))) s->seal.line[l].within = k;
+    for (int l = 0; l < s->embedded.n_boundaries; ++l)
+        for (int k = 0; k < s->embedded.n_boundaries; ++k) {
+            const int within = s->embedded.boundary[l].within;
+            if (k != l && lies_in(s, l, k) && (within < 0 || lies_in(s, k, within))) s->embedded.boundary[l].within = k;
         }
 }
 
-floe_status ice_seal_check(const ice *s, int place)
+floe_status ice_cut_check(const ice *s, int place)
 {
     const double overlap = scene_enclosing_body(s->scene) < 0 ? ICE_CONTACT_OVERLAP : 0.0; /* of solids */
-    for (int l = 0; l < s->seal.n_lines && s->seal.n_lines > 1; ++l) {
-        const cut_surface *c = &s->seal.line[l].place[place];
+    for (int l = 0; l < s->embedded.n_boundaries && s->embedded.n_boundaries > 1; ++l) {
+        const cut_surface *c = &s->embedded.boundary[l].place[place];
         for (int k = 0; k < c->n_cells; ++k) {
             const int *cell = c->cell[k].cell;
             if (least_about(s, l, place, cell) >= -overlap) continue;
@@ -154,7 +155,7 @@ static floe_status reserve_members(ice *s, ice_merged_cells *p)
 static double fluid_volume_of_cell(const ice *s, const ice_region *g, int place, const int cell[3])
 {
     const double open = ice_open_cell(s, g->number, place, cell);
-    if (place != SEAL_NOW || open == 0.0) return open;
+    if (place != CUT_NOW || open == 0.0) return open;
     const int id = mesh_block_of(s->mesh, cell);
     const block *b = &s->mesh->block[id];
     const ptrdiff_t at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2]);
@@ -186,7 +187,7 @@ static void shares_in(const ice *s, const ice_region *g, const int cell[3], doub
     const ptrdiff_t at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2]);
     double sum = 0.0;
     for (int r = 0; r < g->n; ++r) {
-        share[r] = field_get(s->domain->fields[id], C_RHO, g->first + r, 0)[at] / s->sealing->usual[g->first + r];
+        share[r] = field_get(s->domain->fields[id], C_RHO, g->first + r, 0)[at] / s->cut_cells->usual[g->first + r];
         sum += share[r];
     }
     for (int r = 0; r < g->n; ++r) share[r] = sum > 0.0 ? share[r] / sum : 0.0;
@@ -242,16 +243,16 @@ static bool find_refuge(const ice *s, const ice_region *g, int place, const ice_
 
 /* Positions of the boundaries in a step, first that at which cells are merged. */
 typedef struct step_places {
-    int at[SEAL_PLACES];
+    int at[CUT_PLACES];
     int n;
 } step_places;
 
 static step_places places_of(ice_merge_time when)
 {
     step_places l = {.n = 0};
-    l.at[l.n++] = when == MERGE_AFTER ? SEAL_NEXT : SEAL_NOW;
-    for (int k = 0; k < ICE_SEAL_PLACES; ++k) l.at[l.n++] = SEAL_MEAN + k;
-    if (when != MERGE_BEFORE) l.at[l.n++] = when == MERGE_AFTER ? SEAL_NOW : SEAL_NEXT;
+    l.at[l.n++] = when == MERGE_AFTER ? CUT_NEXT : CUT_NOW;
+    for (int k = 0; k < ICE_CUT_PREDICTED; ++k) l.at[l.n++] = CUT_MEAN + k;
+    if (when != MERGE_BEFORE) l.at[l.n++] = when == MERGE_AFTER ? CUT_NOW : CUT_NEXT;
     return l;
 }
 
@@ -340,8 +341,8 @@ static void number_merged_cells(ice_merged_cells *p)
 /* Cells that the boundaries of a gas cut at a position are members. */
 static floe_status add_cut_cells(ice *s, int place, int at, ice_merged_cells *p)
 {
-    for (int l = 0; l < s->seal.n_lines; ++l) {
-        const cut_surface *c = &s->seal.line[l].place[at];
+    for (int l = 0; l < s->embedded.n_boundaries; ++l) {
+        const cut_surface *c = &s->embedded.boundary[l].place[at];
         if (ice_outward(s, p->region->number, l) == 0.0) continue;
         for (int k = 0; k < c->n_cells; ++k) TRY(add_member(s, place, p, c->cell[k].cell));
     }
@@ -361,9 +362,9 @@ floe_status ice_merge_cells(ice *s, ice_merge_time when, ice_merged_cells *out)
     return FLOE_OK;
 }
 
-void ice_seal_views(const ice *s, const ice_region *g)
+void ice_cut_views(const ice *s, const ice_region *g)
 {
-    for (int id = 0; id < s->mesh->n_blocks; ++id) ice_view_make(s, g, id, &s->sealing->view[id]);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) ice_view_make(s, g, id, &s->cut_cells->view[id]);
 }
 
 /* The initial state of a gas, of its first body or of the ambient. */
@@ -399,21 +400,21 @@ static void find_lines(ice *s)
     int body[SCENE_MAX_ENCLOSING];
     const int holders = scene_enclosing_bodies(s->scene, body);
     const int regions = s->n_regions < SCENE_MAX_ENCLOSING ? s->n_regions : SCENE_MAX_ENCLOSING;
-    s->seal = (ice_seal){.n_lines = holders > 0 ? holders : regions};
-    for (int l = 0; l < s->seal.n_lines; ++l) s->seal.line[l].within = -1;
-    for (int l = 0; l < regions && holders == 0; ++l) s->seal.line[l].enclosed = s->region[l].first;
+    s->embedded = (ice_embedded){.n_boundaries = holders > 0 ? holders : regions};
+    for (int l = 0; l < s->embedded.n_boundaries; ++l) s->embedded.boundary[l].within = -1;
+    for (int l = 0; l < regions && holders == 0; ++l) s->embedded.boundary[l].enclosed = s->region[l].first;
     for (int l = 0; l < holders; ++l)
-        s->seal.line[l].enclosed = ice_material_of(s, s->scene->body[body[l]].membrane.encloses);
+        s->embedded.boundary[l].enclosed = ice_material_of(s, s->scene->body[body[l]].membrane.encloses);
 }
 
-floe_status ice_sealing_create(ice *s)
+floe_status ice_cut_cells_create(ice *s)
 {
     find_lines(s);
-    if (s->n_regions > s->seal.n_lines + 1)
+    if (s->n_regions > s->embedded.n_boundaries + 1)
         return fail_key(s->ctx, KEY("bodies"),
                         "of membranes that enclose gas each has one inside, and one gas or none is outside all");
-    TRY(memory_new(s->ctx, &s->sealing, 1, sizeof *s->sealing));
-    ice_sealing *w = s->sealing;
+    TRY(memory_new(s->ctx, &s->cut_cells, 1, sizeof *s->cut_cells));
+    ice_cut_cells *w = s->cut_cells;
     for (int g = 0; g < s->n_regions; ++g) {
         TRY(new_merged_cells(s, &s->region[g], &w->now[g]));
         TRY(new_merged_cells(s, &s->region[g], &w->next[g]));
@@ -437,10 +438,10 @@ static void free_merged_cells(context *ctx, ice_merged_cells *p)
     memory_free(ctx, &p->fluid);
 }
 
-void ice_sealing_destroy(context *ctx, ice_sealing **w)
+void ice_cut_cells_destroy(context *ctx, ice_cut_cells **w)
 {
     if (!*w) return;
-    for (int g = 0; g < ICE_SEALED_GASES; ++g) {
+    for (int g = 0; g < ICE_CUT_REGIONS; ++g) {
         free_merged_cells(ctx, &(*w)->now[g]);
         free_merged_cells(ctx, &(*w)->next[g]);
         ice_wall_flow_destroy(ctx, &(*w)->wall[g]);

@@ -1,6 +1,6 @@
 /* Fluxes out of merged cells that several fluids share, and the change of their velocities and energies in the step: the sums of ice_merged_step.c divided
  * among the fluids, as ice_sources.c does for whole cells (theory 2.6, 2.8 i, 7.2). */
-#include "ice/sealed/ice_merged_cells.h"
+#include "ice/cut/ice_merged_cells.h"
 
 #include "ice/ice_constants.h"
 #include "ice/source/ice_source.h"
@@ -43,7 +43,7 @@ static double fraction_at(const ice *s, const outlet *f, int r)
 static void set_fraction(const ice *s, const outlet *f, int r, double fraction)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
+        const ice_view *v = &s->cut_cells->view[id];
         const block *b = v->b;
         int at[3] = {f->m->cell[0] - b->lo[0], f->m->cell[1] - b->lo[1], f->m->cell[2] - b->lo[2]};
         at[f->axis] += f->side == SIDE_UPPER;
@@ -73,7 +73,7 @@ static bool is_sharp(const ice *s, const ice_member *m)
 static void flatten_member(const ice *s, const ice_member *m)
 {
     ptrdiff_t at;
-    for (int id = 0; ice_next_seen(s, m->cell, &id, &at);) s->sealing->view[id - 1].limiter[at] = 0.0;
+    for (int id = 0; ice_next_seen(s, m->cell, &id, &at);) s->cut_cells->view[id - 1].limiter[at] = 0.0;
     for (int n = 0; n < 2 * s->mesh->dim; ++n) {
         const outlet f = {m, n / 2, n % 2};
         const ice_view *v = ice_member_view(s, m);
@@ -130,8 +130,8 @@ static void bound_member(const ice *s, const ice_merged_cells *p, const ice_memb
 
 void ice_bound_merged(const ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = &s->sealing->now[g->number];
-    ice_seal_views(s, g);
+    ice_merged_cells *p = &s->cut_cells->now[g->number];
+    ice_cut_views(s, g);
     ice_clear_merged(p);
     for (int k = 0; k < p->n; ++k)
         if (is_mixed(s, &p->member[k]) && !is_sharp(s, &p->member[k])) flatten_member(s, &p->member[k]);

@@ -1,43 +1,43 @@
 /* The coupled step with embedded boundaries (membranes around gas, or surfaces of solids): the boundaries separate
  * gases, take their pressure, and move. */
-#ifndef SIM_SEALED_GASES_H
-#define SIM_SEALED_GASES_H
+#ifndef SIM_EMBEDDED_H
+#define SIM_EMBEDDED_H
 
 #include "coupling/wall_response.h"
 #include "embedded/cut.h"
 #include "sim/sim.h"
 
 /* A boundary in the step: a membrane, or the surfaces of all solids beside a fluid. */
-typedef struct sealed_line {
+typedef struct embedded_boundary {
     int body;  /* body of the membrane, of the points; 0 for surfaces */
     int fluid; /* of surfaces: the fluid that they bound, by its number in the scene, or the first of several that share cells; -1: a membrane */
-    cut_surface place[SEAL_PLACES];  /* its positions, as in ice_seal_line */
+    cut_surface place[CUT_PLACES];   /* its positions, as in ice_embedded_boundary */
     double *velocity, *path, *force; /* of the vertices, three numbers each; owned */
     int reserved;                    /* vertices for which these are allocated */
     double share; /* its share of the mass of all membranes, and of the lost energy of points that heats its gas */
-} sealed_line;
+} embedded_boundary;
 
-typedef struct sealed {
+typedef struct embedded {
     context *ctx;       /* not owned */
     stage_list *stages; /* not owned */
     mpm *points;        /* not owned */
     ice *gases;         /* not owned */
-    sealed_line line[SCENE_MAX_ENCLOSING];
-    int n_lines;
+    embedded_boundary boundary[SCENE_MAX_ENCLOSING];
+    int n_boundaries;
     wall_response walls; /* response of the pressure on light solids to their motion (theory 7.6) */
     bool nested;         /* it is known which membranes are inside which */
-} sealed;
+} embedded;
 
-floe_status sealed_create(struct sealed **out, sim *s);
-void sealed_destroy(struct sealed **t);
+floe_status embedded_create(struct embedded **out, sim *s);
+void embedded_destroy(struct embedded **t);
 /* Initial state of the cells; the points have been seeded. */
-floe_status sealed_initialise(sim *s);
-floe_status sealed_step(sim *s);
+floe_status embedded_initialise(sim *s);
+floe_status embedded_step(sim *s);
 /* Whether the next step has implicit wall pressures (theory 7.6). */
-void sealed_use_wall_response(sealed *t, bool implicit);
+void embedded_use_wall_response(embedded *t, bool implicit);
 /* For implicit steps: finds the cut cells at the current positions, and at the next positions of the points. Errors: as
  * mpm_boundary_vertices, cut_find. */
-floe_status sealed_find_still(sealed *t);
-floe_status sealed_find_moved(sealed *t);
+floe_status embedded_find_still(embedded *t);
+floe_status embedded_find_moved(embedded *t);
 
 #endif

@@ -3,8 +3,8 @@
  * three differences: cells at the boundary are merged (ice_merged_cells.h); fluxes are multiplied by the mean aperture of the face in
  * the step; and the state of a gas is extrapolated into cells without it, for the differences near the boundary.
  * Nothing crosses the boundary, whatever the step, the mesh or the pressures. */
-#include "ice/sealed/ice_merged_cells.h"
-#include "ice/sealed/ice_wall_flow.h"
+#include "ice/cut/ice_merged_cells.h"
+#include "ice/cut/ice_wall_flow.h"
 
 #include "ice/equilibrium/ice_equilibrium.h"
 #include "ice/exchange/ice_exchange.h"
@@ -22,7 +22,7 @@ static floe_status for_regions(ice *s, floe_status (*stage)(ice *, const ice_reg
     return FLOE_OK;
 }
 
-floe_status ice_sealed_ghosts(ice *s)
+floe_status ice_cut_ghosts(ice *s)
 {
     TRY(for_regions(s, ice_extrapolate_states));
     return ice_boundary_ghosts(s);
@@ -50,7 +50,7 @@ static floe_status find_pressure(ice *s, const ice_region *g)
     return FLOE_OK;
 }
 
-floe_status ice_sealed_pressure(ice *s)
+floe_status ice_cut_pressure(ice *s)
 {
     return for_regions(s, find_pressure);
 }
@@ -59,11 +59,11 @@ floe_status ice_sealed_pressure(ice *s)
 static floe_status find_wall_flow(ice *s, const ice_region *g)
 {
     TRY(ice_find_wall_flow(s, g));
-    if (s->implicit) ice_sealed_viscous_rates(s, g);
+    if (s->implicit) ice_cut_viscous_rates(s, g);
     return FLOE_OK;
 }
 
-floe_status ice_sealed_wall_flow(ice *s)
+floe_status ice_cut_wall_flow(ice *s)
 {
     return for_regions(s, find_wall_flow);
 }
@@ -76,7 +76,7 @@ static floe_status find_velocity(ice *s, const ice_region *g)
     return FLOE_OK;
 }
 
-floe_status ice_sealed_velocity(ice *s)
+floe_status ice_cut_velocity(ice *s)
 {
     return for_regions(s, find_velocity);
 }
@@ -89,12 +89,12 @@ static floe_status find_increment(ice *s, const ice_region *g)
     return FLOE_OK;
 }
 
-floe_status ice_sealed_increment(ice *s)
+floe_status ice_cut_increment(ice *s)
 {
     return for_regions(s, find_increment);
 }
 
-floe_status ice_sealed_face_pressure(ice *s)
+floe_status ice_cut_face_pressure(ice *s)
 {
     return for_regions(s, ice_face_pressure_of);
 }
@@ -108,8 +108,8 @@ static double side_aperture(const ice *s, int region, const block *b, const int 
 /* Those that are merged after the step have one state, which they keep. */
 static void spread_weights(const ice *s, const ice_region *g, double *const *weight)
 {
-    const ice_merged_cells *p = &s->sealing->next[g->number];
-    ice_clear_merged(&s->sealing->next[g->number]);
+    const ice_merged_cells *p = &s->cut_cells->next[g->number];
+    ice_clear_merged(&s->cut_cells->next[g->number]);
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
         double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
@@ -124,7 +124,7 @@ static void spread_weights(const ice *s, const ice_region *g, double *const *wei
     }
 }
 
-const ice_cut_geometry ice_sealed_geometry = {side_aperture, ice_is_merged, ice_bound_merged, spread_weights};
+const ice_cut_geometry ice_embedded_geometry = {side_aperture, ice_is_merged, ice_bound_merged, spread_weights};
 
 /* ---- after the points have moved ---- */
 
@@ -144,7 +144,7 @@ static double mean_open(const ice *s, const ice_region *g, const block *b, int a
 static floe_status apply_apertures(ice *s, const ice_region *g)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
+        const ice_view *v = &s->cut_cells->view[id];
         for (int axis = 0; axis < s->mesh->dim; ++axis) {
             const ice_rows q = ice_rows_of(v->b, axis, 0);
 #pragma omp parallel for schedule(static)
@@ -174,8 +174,8 @@ static floe_status exchange_among(ice *s, const ice_region *g)
 /* Cells that the boundary uncovers in the step are merged by now: work is done on the gas that flows into them. */
 static floe_status find_sources(ice *s, const ice_region *g)
 {
-    TRY(ice_merge_cells(s, MERGE_MOVING, &s->sealing->now[g->number]));
-    ice_seal_views(s, g);
+    TRY(ice_merge_cells(s, MERGE_MOVING, &s->cut_cells->now[g->number]));
+    ice_cut_views(s, g);
     TRY(apply_apertures(s, g));
     ice_find_sources(s, g);
     ice_merged_sources(s, g);
@@ -183,70 +183,69 @@ static floe_status find_sources(ice *s, const ice_region *g)
     return g->n > 1 ? exchange_among(s, g) : FLOE_OK;
 }
 
-floe_status ice_sealed_sources(ice *s)
+floe_status ice_cut_sources(ice *s)
 {
     return for_regions(s, find_sources);
 }
 
-floe_status ice_sealed_advect(ice *s)
+floe_status ice_cut_advect(ice *s)
 {
     return for_regions(s, ice_advect_merged);
 }
 
-floe_status ice_sealed_merge_start(ice *s)
+floe_status ice_cut_merge_start(ice *s)
 {
     return for_regions(s, ice_start_merged);
 }
 
 /* ---- the stages ---- */
 
-floe_status ice_sealed_pressure_stages(ice *s)
+floe_status ice_cut_pressure_stages(ice *s)
 {
     const bool m = ice_is_mixture(s), r = ice_reaction_count(s) > 0, slips = m && ice_some_pair_slips(s),
                t = ice_may_trace(s), implicit = s->implicit;
-    STAGE(s, ALWAYS, ice_sealed_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, WHEN(m, C_VOL)),
+    STAGE(s, ALWAYS, ice_cut_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, WHEN(m, C_VOL)),
           WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK, WHEN(m, C_VOL), WHEN(m, C_PRESSURE)));
-    STAGE(s, ALWAYS, ice_sealed_pressure,
+    STAGE(s, ALWAYS, ice_cut_pressure,
           READS(C_RHO, C_ENERGY, WHEN(m, C_VEL), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_PRESSURE),
                 WHEN(slips, C_OPEN)),
           WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP),
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(m, C_ENERGY_FOUND), WHEN(m, C_VOLUME_FOUND),
                  WHEN(r, C_REACTED), WHEN(slips, C_WALL), WHEN(slips, C_OPEN)));
-    STAGE(s, ice_is_viscous(s), ice_sealed_wall_flow, READS(C_RHO, C_VEL, C_OPEN),
+    STAGE(s, ice_is_viscous(s), ice_cut_wall_flow, READS(C_RHO, C_VEL, C_OPEN),
           WRITES(C_VEL_CENTRED, WHEN(implicit, C_DIFFUSION), WHEN(implicit, C_DIFFUSION_HEAT)));
-    STAGE(s, ALWAYS, ice_sealed_velocity,
+    STAGE(s, ALWAYS, ice_cut_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(implicit && ice_is_viscous(s), C_DIFFUSION), WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL),
                 WHEN(slips, C_WALL), WHEN(t, C_ENERGY), WHEN(t, C_OPEN), WHEN(m && t, C_KAPPA),
                 WHEN(m && t, C_INTERFACE)),
           WRITES(F_VEL, C_SHOCK, WHEN(t, C_OPEN), WHEN(t, C_PRESSURE), WHEN(t, C_SLOW_SHOCK), WHEN(t, C_ALONE),
                  WHEN(t, F_PRESSURE), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL)));
-    STAGE(s, implicit, ice_sealed_guess,
-          READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_OPEN, C_PRESSURE_STEP),
+    STAGE(s, implicit, ice_cut_guess, READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_OPEN, C_PRESSURE_STEP),
           WRITES(F_VEL, F_MOBILITY, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED));
-    STAGE(s, !implicit, ice_sealed_increment,
+    STAGE(s, !implicit, ice_cut_increment,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
                 WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(r, C_REACTED)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
-    STAGE(s, !implicit, ice_sealed_face_pressure,
+    STAGE(s, !implicit, ice_cut_face_pressure,
           READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM), WHEN(t, F_PRESSURE), WHEN(t, C_ALONE)),
           WRITES(F_PRESSURE));
-    STAGE(s, ALWAYS, ice_sealed_load, READS(C_PRESSURE_ADVANCED), WRITES(NOTHING));
+    STAGE(s, ALWAYS, ice_cut_load, READS(C_PRESSURE_ADVANCED), WRITES(NOTHING));
     return FLOE_OK;
 }
 
-floe_status ice_sealed_flow_stages(ice *s)
+floe_status ice_cut_flow_stages(ice *s)
 {
     const bool m = ice_is_mixture(s), k = ice_conducts(s), r = ice_reaction_count(s) > 0,
                slips = m && ice_some_pair_slips(s), t = ice_may_trace(s);
-    STAGE(s, s->implicit, ice_sealed_take,
+    STAGE(s, s->implicit, ice_cut_take,
           READS(F_VEL, F_MOBILITY, C_RHO, C_PRESSURE, C_SOUND, C_SHOCK, C_OPEN, C_PRESSURE_STEP, C_DP),
           WRITES(F_VEL, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED, F_PRESSURE));
-    STAGE(s, s->walls && !s->implicit, ice_sealed_wall_pressure,
+    STAGE(s, s->walls && !s->implicit, ice_cut_wall_pressure,
           READS(C_DP, C_PRESSURE_ADVANCED, C_RHO, F_PRESSURE, WHEN(m, C_RHO_SUM), WHEN(t, C_ALONE)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, F_PRESSURE));
-    STAGE(s, ALWAYS, ice_sealed_sources,
+    STAGE(s, ALWAYS, ice_cut_sources,
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
                 WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, C_SHOCK),
@@ -254,7 +253,7 @@ floe_status ice_sealed_flow_stages(ice *s)
                 WHEN(slips, C_WALL)),
           WRITES(C_VEL_L, C_ENERGY_L, F_VEL, WHEN(m, F_FLUX), WHEN(m, C_HEAT_OWED), WHEN(m, C_VOLUME_L),
                  WHEN(k, C_DIFFUSION_T), WHEN(r, C_RHO_L)));
-    STAGE(s, ALWAYS, ice_sealed_advect,
+    STAGE(s, ALWAYS, ice_cut_advect,
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, C_SOUND, C_VEL_L,
                 C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM),
                 WHEN(m, C_RHO_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, F_THETA),

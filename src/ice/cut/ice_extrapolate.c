@@ -1,6 +1,6 @@
 /* The state of a gas in cells without it, of which differences near the boundary are taken (theory 7.1): marked cells keep their own, two layers
  * about them have the mean of their neighbours. */
-#include "ice/sealed/ice_merged_cells.h"
+#include "ice/cut/ice_merged_cells.h"
 
 #include "ice/sides/ice_sides.h"
 
@@ -8,8 +8,8 @@
 static void mark_open(const ice *s, const ice_region *g)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
-        const fluid_state *rest = &s->sealing->rest[g->number];
+        const ice_view *v = &s->cut_cells->view[id];
+        const fluid_state *rest = &s->cut_cells->rest[g->number];
         const ice_fluid *m = &v->m[0];
         const ice_rows q = ice_rows_of(v->b, -1, 0);
         for (int row = 0; row < q.n; ++row)
@@ -63,7 +63,7 @@ static void extrapolate_layers(const ice *s, const ice_region *g)
     for (int layer = 0; layer < 2; ++layer, least *= 0.5) {
         fill_state(s, g);
         for (int id = 0; id < s->mesh->n_blocks; ++id) {
-            const ice_view *v = &s->sealing->view[id];
+            const ice_view *v = &s->cut_cells->view[id];
             const ice_rows q = ice_rows_of(v->b, -1, 0);
             for (int row = 0; row < q.n; ++row) {
                 const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
@@ -76,8 +76,8 @@ static void extrapolate_layers(const ice *s, const ice_region *g)
 
 floe_status ice_extrapolate_states(ice *s, const ice_region *g)
 {
-    TRY(ice_merge_cells(s, MERGE_BEFORE, &s->sealing->now[g->number]));
-    ice_seal_views(s, g);
+    TRY(ice_merge_cells(s, MERGE_BEFORE, &s->cut_cells->now[g->number]));
+    ice_cut_views(s, g);
     if (g->n > 1) TRY(ice_remerge_fluids(s, g));
     mark_open(s, g);
     extrapolate_layers(s, g);

@@ -8,7 +8,7 @@
 #ifndef ICE_MERGED_CELLS_H
 #define ICE_MERGED_CELLS_H
 
-#include "ice/sealed/ice_sealed.h"
+#include "ice/cut/ice_cut.h"
 #include "scene/state.h"
 
 /* A cut cell, or a cell that is merged with one. */
@@ -60,14 +60,14 @@ typedef struct ice_merged_cells {
     size_t reserved;
 } ice_merged_cells;
 
-typedef struct ice_sealing {
-    ice_merged_cells now[ICE_SEALED_GASES], next[ICE_SEALED_GASES];
-    fluid_state rest[ICE_SEALED_GASES];           /* state of each gas in cells far from it */
-    double usual[ICE_MAX_MATERIALS];              /* kg/m3: density of each fluid at the start */
-    struct ice_wall_flow *wall[ICE_SEALED_GASES]; /* NULL where no fluid is viscous; owned */
-    struct ice_cut_system *system; /* of the implicit pressure (ice_sealed_implicit.c); NULL: none; owned */
-    ice_view *view;                /* of every block, for one region at a time (ice_seal_views); owned */
-} ice_sealing;
+typedef struct ice_cut_cells {
+    ice_merged_cells now[ICE_CUT_REGIONS], next[ICE_CUT_REGIONS];
+    fluid_state rest[ICE_CUT_REGIONS];           /* state of each gas in cells far from it */
+    double usual[ICE_MAX_MATERIALS];             /* kg/m3: density of each fluid at the start */
+    struct ice_wall_flow *wall[ICE_CUT_REGIONS]; /* NULL where no fluid is viscous; owned */
+    struct ice_cut_system *system;               /* of the implicit pressure (ice_cut_implicit.c); NULL: none; owned */
+    ice_view *view;                              /* of every block, for one region at a time (ice_cut_views); owned */
+} ice_cut_cells;
 
 /* At which positions of the boundaries cells are merged: before the points move, over the step, and after it. */
 typedef enum ice_merge_time { MERGE_BEFORE, MERGE_MOVING, MERGE_AFTER } ice_merge_time;
@@ -75,7 +75,7 @@ typedef enum ice_merge_time { MERGE_BEFORE, MERGE_MOVING, MERGE_AFTER } ice_merg
  * whatever their open fraction. */
 floe_status ice_merge_cells(ice *s, ice_merge_time when, ice_merged_cells *out);
 /* Makes the views of a region's blocks. */
-void ice_seal_views(const ice *s, const ice_region *g);
+void ice_cut_views(const ice *s, const ice_region *g);
 /* Mean aperture of a face for a region in the step. */
 double ice_mean_face(const ice *s, int region, const int cell[3], int axis, int side);
 /* ---- gravity (ice_merged_weight.c): the pressure in merged cells is linear, P + rho g . (x - centre), so that the
@@ -107,7 +107,7 @@ double ice_member_area(const ice *s, const ice_member *k, int axis, int side);
 ptrdiff_t ice_member_face(const ice_view *v, const ice_member *k, int axis, int side);
 static inline const ice_view *ice_member_view(const ice *s, const ice_member *k)
 {
-    return &s->sealing->view[k->block];
+    return &s->cut_cells->view[k->block];
 }
 /* The stage for whole cells has advected their full volume; the part beyond the boundary is subtracted again with its
  * old state. */
@@ -155,10 +155,10 @@ floe_status ice_start_fluids(ice *s, const ice_region *g);
 floe_status ice_remerge_fluids(ice *s, const ice_region *g);
 floe_status ice_renew_fluids(ice *s, const ice_region *g);
 
-/* ---- the implicit pressure (ice_sealed_implicit.c) ---- */
+/* ---- the implicit pressure (ice_cut_implicit.c) ---- */
 
 /* Forces of viscosity on all cells of a region at t^n, for the faces (theory 7.8). */
-void ice_sealed_viscous_rates(ice *s, const ice_region *g);
+void ice_cut_viscous_rates(ice *s, const ice_region *g);
 floe_status ice_cut_system_create(ice *s);
 void ice_cut_system_destroy(context *ctx, struct ice_cut_system **w);
 

@@ -1,7 +1,7 @@
 /* A membrane around gas of the cells: nothing passes it, at rest and in a stream nothing happens, what the gas loses it
  * gains, a piston swings as it should, a circle comes to its exact rest; the same bits for any blocks, any threads and
  * after a restart. */
-#include "sealed_fixture.h"
+#include "embedded_fixture.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -165,9 +165,9 @@ static void test_two_rest(void **unused)
     ice_totals before, after;
     int shared = 0;
     two_discs(&t, "ambient={material: air, pressure: 1000, temperature: 700}", 1);
-    const ice_seal_line *line = t.sim->ice->seal.line;
-    for (int k = 0; k < line[0].place[SEAL_NOW].n_cells; ++k)
-        shared += cut_open(&line[1].place[SEAL_NOW], line[0].place[SEAL_NOW].cell[k].cell) > 0.0;
+    const ice_embedded_boundary *line = t.sim->ice->embedded.boundary;
+    for (int k = 0; k < line[0].place[CUT_NOW].n_cells; ++k)
+        shared += cut_open(&line[1].place[CUT_NOW], line[0].place[CUT_NOW].cell[k].cell) > 0.0;
     assert_true(shared > 0);
     check_ok(t.ctx, ice_sum(t.sim->ice, &before));
     trial_steps(&t, 500);
@@ -293,9 +293,9 @@ static void test_nested_rest(void **unused)
     trial t;
     ice_totals before, after;
     sealed_begin(&t, "membrane_circle", set, sizeof set / sizeof *set);
-    assert_int_equal(t.sim->ice->seal.n_lines, 5);
+    assert_int_equal(t.sim->ice->embedded.n_boundaries, 5);
     static const int within[] = {1, 2, -1, -1, -1};
-    for (int l = 0; l < 5; ++l) assert_int_equal(t.sim->ice->seal.line[l].within, within[l]);
+    for (int l = 0; l < 5; ++l) assert_int_equal(t.sim->ice->embedded.boundary[l].within, within[l]);
     check_ok(t.ctx, ice_sum(t.sim->ice, &before));
     trial_steps(&t, 200);
     check_ok(t.ctx, ice_sum(t.sim->ice, &after));

@@ -1,13 +1,13 @@
 /* A membrane around gas of the cells about an axis: at rest and in a stream nothing happens, a balloon and a tube come
  * to their exact rests, nothing passes; the same bits for any blocks. */
-#include "sealed_fixture.h"
+#include "embedded_fixture.h"
 
 /* Points that keep all of their motion: nothing but damping takes energy. */
 #define PLAIN "method={basis: quadratic, flip: 1}"
 #define AIR "materials.air={eos: {ideal: {gamma: 1.4, specific_heat: 1}}}"
 
 /* Two viscous gases of one pressure and different densities on the two sides of a ball, 1000 steps. A pressure of 1000 is even to 1e-13 of
- * itself, and so at most 2e-11 m/s come of it (test_coupled_sealed.c). */
+ * itself, and so at most 2e-11 m/s come of it (test_coupled_embedded.c). */
 static void test_rest(void **unused)
 {
     (void)unused;

@@ -2,7 +2,7 @@
 #ifndef ICE_MERGED_PIECES_H
 #define ICE_MERGED_PIECES_H
 
-#include "ice/sealed/ice_merged_cells.h"
+#include "ice/cut/ice_merged_cells.h"
 
 /* All pieces of the lines beside the current gas, where the step takes them to pass: each with the member of its cell,
  * the weight of its place, and the sign of its area, outward from the gas. */
@@ -11,7 +11,7 @@ typedef struct ice_piece_walk {
     const ice_merged_cells *p;
     int number, place, n; /* of the line, of its places, of the piece */
     double weight, outward;
-    const ice_seal_line *line;
+    const ice_embedded_boundary *line;
     const cut_piece *piece;
     const ice_member *member;
 } ice_piece_walk;

@@ -7,7 +7,7 @@
  * does not replace the state of the cell: the velocity is moved from centroid to centre by the difference of the fit between them, and the gradient at a
  * piece is corrected by the residual of the fit at the boundary less that at the centroid, over their distance. So each cell feels the drag of its own
  * velocity, whatever the fit smooths. */
-#include "ice/sealed/ice_wall_flow.h"
+#include "ice/cut/ice_wall_flow.h"
 
 #include "base/memory.h"
 #include "ice/ice_constants.h"
@@ -64,7 +64,7 @@ void ice_wall_flow_destroy(context *ctx, ice_wall_flow **w)
 
 static floe_status flow_of(ice *s, const ice_region *g, ice_wall_flow **out)
 {
-    ice_wall_flow **w = &s->sealing->wall[g->number];
+    ice_wall_flow **w = &s->cut_cells->wall[g->number];
     if (!*w) {
         const size_t cells = mesh_cells(s->mesh);
         TRY(memory_new(s->ctx, w, 1, sizeof **w));
@@ -142,7 +142,7 @@ static floe_status add_cells(ice *s, const ice_region *g, const ice_merged_cells
         for (int n = 0; next_step(s->mesh->dim, 1, &n, step);) {
             if (!find_cell_at(s->mesh, p->member[k].cell, step, cell, shift)) continue;
             const int fit = w->fit_of[cut_index(s->mesh, cell)];
-            if (fit < 0 && ice_open_cell(s, g->number, SEAL_NOW, cell) == 0.0) TRY(add_fit(s, g, w, cell, k));
+            if (fit < 0 && ice_open_cell(s, g->number, CUT_NOW, cell) == 0.0) TRY(add_fit(s, g, w, cell, k));
             if (fit >= 0 && fit < p->n && !(p->member[fit].open > 0.0) && w->cell[fit].host == fit)
                 w->cell[fit].host = k;
         }
@@ -157,9 +157,10 @@ static double length_of(const double a[3])
     return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
 }
 
-static void set_sample(const ice *s, const ice_seal_line *line, const cut_piece *q, double outward, wall_sample *out)
+static void set_sample(const ice *s, const ice_embedded_boundary *line, const cut_piece *q, double outward,
+                       wall_sample *out)
 {
-    const cut_surface *c = &line->place[SEAL_NOW];
+    const cut_surface *c = &line->place[CUT_NOW];
     *out = (wall_sample){.place = {.cell = c->cell[q->cell].cell}, .next = -1};
     for (int a = 0; a < s->mesh->dim; ++a) {
         out->place.x[a] = cut_at_middle(c, q, a);
@@ -174,9 +175,9 @@ static void set_sample(const ice *s, const ice_seal_line *line, const cut_piece 
 static floe_status add_samples(ice *s, const ice_region *g, ice_wall_flow *w)
 {
     w->n_samples = 0;
-    for (int l = 0; l < s->seal.n_lines; ++l) {
-        const ice_seal_line *line = &s->seal.line[l];
-        const cut_surface *c = &line->place[SEAL_NOW];
+    for (int l = 0; l < s->embedded.n_boundaries; ++l) {
+        const ice_embedded_boundary *line = &s->embedded.boundary[l];
+        const cut_surface *c = &line->place[CUT_NOW];
         const double outward = ice_outward(s, g->number, l);
         if (outward == 0.0) continue;
         const size_t wanted = (size_t)w->n_samples + (size_t)c->n_pieces;
@@ -333,7 +334,7 @@ static void solve_squares(squares *q, int dim, double term[3][TERMS])
 /* Velocity of fluid r in a cell; returns the open fraction of the cell, 0 where there is none of the fluid. */
 static double state_in(const ice *s, int r, const int cell[3], double u[3])
 {
-    const ice_view *v = &s->sealing->view[mesh_block_of(s->mesh, cell)];
+    const ice_view *v = &s->cut_cells->view[mesh_block_of(s->mesh, cell)];
     const ptrdiff_t at = mesh_index(v->b, cell[0] - v->b->lo[0], cell[1] - v->b->lo[1], cell[2] - v->b->lo[2]);
     const ice_fluid *m = &v->m[r];
     for (int a = 0; a < s->mesh->dim; ++a) u[a] = m->u[a][at];
@@ -406,7 +407,7 @@ static void fit_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, i
 /* The velocity at the centre of the cell. */
 static void store_centre(const ice *s, const ice_wall_flow *w, const fit_cell *f, int r, const fluid_fit *of)
 {
-    const ice_view *v = &s->sealing->view[mesh_block_of(s->mesh, f->cell)];
+    const ice_view *v = &s->cut_cells->view[mesh_block_of(s->mesh, f->cell)];
     const ptrdiff_t at = mesh_index(v->b, f->cell[0] - v->b->lo[0], f->cell[1] - v->b->lo[1], f->cell[2] - v->b->lo[2]);
     const bool open = &w->cell[f->host] == f;
     double x[3] = {0.0}, t[TERMS];
@@ -419,7 +420,7 @@ static void store_centre(const ice *s, const ice_wall_flow *w, const fit_cell *f
 static void copy_velocities(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
+        const ice_view *v = &s->cut_cells->view[id];
         for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);)
             for (int r = 0; r < v->n_materials; ++r)
                 for (int a = 0; a < v->dim; ++a) v->m[r].centred[a][c.at] = v->m[r].u[a][c.at];
@@ -430,8 +431,8 @@ floe_status ice_find_wall_flow(ice *s, const ice_region *g)
 {
     ice_wall_flow *w;
     TRY(flow_of(s, g, &w));
-    ice_seal_views(s, g);
-    TRY(add_cells(s, g, &s->sealing->now[g->number], w));
+    ice_cut_views(s, g);
+    TRY(add_cells(s, g, &s->cut_cells->now[g->number], w));
     TRY(add_samples(s, g, w));
     copy_velocities(s);
 #pragma omp parallel for schedule(static)
@@ -469,7 +470,7 @@ static void gradient_at(const ice *s, const fit_cell *f, const fluid_fit *of, co
 
 void ice_wall_drag(const ice *s, const ice_region *g, int r, const wall_place *w, double drag[3])
 {
-    const ice_wall_flow *flow = s->sealing->wall[g->number];
+    const ice_wall_flow *flow = s->cut_cells->wall[g->number];
     const ice_material *m = &s->material[g->first + r];
     const int dim = s->mesh->dim, own = flow->fit_of[cut_index(s->mesh, w->cell)];
     const int fit = own < 0 ? -1 : flow->cell[own].host;

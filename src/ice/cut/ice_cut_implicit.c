@@ -12,10 +12,10 @@
  * own pressure of each cell on the diagonal.
  *
  * The walls' velocities by all other forces are known only when the points have theirs, so there are three parts: before, with the last step's
- * change of pressure and the walls' velocities at the start (ice_sealed_guess); the search, called by the points (ice_sealed_solve); and after
- * (ice_sealed_take). */
-#include "ice/sealed/ice_merged_cells.h"
-#include "ice/sealed/ice_merged_pieces.h"
+ * change of pressure and the walls' velocities at the start (ice_cut_guess); the search, called by the points (ice_cut_solve); and after
+ * (ice_cut_take). */
+#include "ice/cut/ice_merged_cells.h"
+#include "ice/cut/ice_merged_pieces.h"
 
 #include "base/memory.h"
 #include "coupling/wall_response.h"
@@ -43,8 +43,8 @@ typedef struct ice_cut_system {
 floe_status ice_cut_system_create(ice *s)
 {
     const solve_grid cells = solve_grid_of_cells(s->mesh);
-    TRY(memory_new(s->ctx, &s->sealing->system, 1, sizeof *s->sealing->system));
-    ice_cut_system *w = s->sealing->system;
+    TRY(memory_new(s->ctx, &s->cut_cells->system, 1, sizeof *s->cut_cells->system));
+    ice_cut_system *w = s->cut_cells->system;
     w->size = cells.size;
     const size_t all = (size_t)s->n_regions * w->size;
     const solve_grid list = solve_grid_of_list((int)all);
@@ -72,7 +72,7 @@ void ice_cut_system_destroy(context *ctx, ice_cut_system **w)
 /* A region's part of a vector. */
 static double *part_of(const ice *s, const ice_region *g, double *x)
 {
-    return x + (size_t)g->number * s->sealing->system->size;
+    return x + (size_t)g->number * s->cut_cells->system->size;
 }
 
 static ptrdiff_t index_of(const ice *s, const int cell[3])
@@ -168,9 +168,9 @@ static void cut_sinks(const ice *s, const ice_region *g)
 {
     const ice_merged_cells *p = ice_merged_cells_of(s, g);
     const double box = mesh_box_volume(s->mesh);
-    double *sink = multigrid_links(s->rows[g->number].m).sink, *weight = part_of(s, g, s->sealing->system->weight);
+    double *sink = multigrid_links(s->rows[g->number].m).sink, *weight = part_of(s, g, s->cut_cells->system->weight);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
+        const ice_view *v = &s->cut_cells->view[id];
         for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);) {
             const ptrdiff_t at = index_of(s, c.cell);
             const bool takes_part = v->m[0].open[c.at] > 0.0 && p->place[cut_index(s->mesh, c.cell)] < 0;
@@ -194,9 +194,9 @@ static void find_matrix(ice *s, const ice_region *g)
 
 /* ---- before the walls have moved ---- */
 
-void ice_sealed_viscous_rates(ice *s, const ice_region *g)
+void ice_cut_viscous_rates(ice *s, const ice_region *g)
 {
-    ice_sealed_diffusion_rates(s, g);
+    ice_cut_diffusion_rates(s, g);
     ice_merged_diffusion_rates(s, g);
     ice_fill_ghosts(s, C_DIFFUSION, g->first, FILL_CURRENT, GHOST_EVEN);
 }
@@ -206,7 +206,7 @@ static void find_right_side(ice *s, const ice_region *g)
 {
     ice_merged_cells *p = ice_merged_cells_of(s, g);
     const double box = mesh_box_volume(s->mesh);
-    double *b = part_of(s, g, s->sealing->system->b), *weight = part_of(s, g, s->sealing->system->weight);
+    double *b = part_of(s, g, s->cut_cells->system->b), *weight = part_of(s, g, s->cut_cells->system->weight);
     (void)ice_implicit_residual(s, g);
     const solve_grid *grid = &s->rows[g->number].grid;
     for (int row = 0; row < solve_rows(grid); ++row)
@@ -247,7 +247,7 @@ static void press_members(const ice *s, const ice_region *g)
 
 static floe_status guess_region(ice *s, const ice_region *g)
 {
-    ice_seal_views(s, g);
+    ice_cut_views(s, g);
     TRY(ice_implicit_begin(s, g));
     ice_implicit_centre(s, g);
     ice_implicit_guess(s, g);
@@ -260,7 +260,7 @@ static floe_status guess_region(ice *s, const ice_region *g)
     return FLOE_OK;
 }
 
-floe_status ice_sealed_guess(ice *s)
+floe_status ice_cut_guess(ice *s)
 {
     for (int g = 0; g < s->n_regions; ++g) TRY(guess_region(s, &s->region[g]));
     return FLOE_OK;
@@ -283,7 +283,7 @@ static double flux_factor(const ice *s)
 static void add_wall_responses(const cut_search *q, double *x, double *y)
 {
     const ice *s = q->s;
-    const ice_cut_system *w = s->sealing->system;
+    const ice_cut_system *w = s->cut_cells->system;
     int first = 0;
     for (int g = 0; g < s->n_regions; ++g) {
         const ice_merged_cells *p = ice_merged_cells_of(s, &s->region[g]);
@@ -333,7 +333,7 @@ static void apply_preconditioner(void *user, double *x, double *y)
 /* The walls' part of the right side and of the preconditioner's diagonal. */
 static floe_status meet_walls(ice *s, const cut_search *q)
 {
-    const ice_cut_system *w = s->sealing->system;
+    const ice_cut_system *w = s->cut_cells->system;
     int first = 0;
     for (int g = 0; g < s->n_regions; ++g) {
         const ice_merged_cells *p = ice_merged_cells_of(s, &s->region[g]);
@@ -354,7 +354,7 @@ static floe_status meet_walls(ice *s, const cut_search *q)
 /* Largest error of a volume. */
 static double largest_error(const ice *s)
 {
-    const ice_cut_system *w = s->sealing->system;
+    const ice_cut_system *w = s->cut_cells->system;
     double largest = 0.0;
     bool sound = true;
     for (size_t k = 0; k < (size_t)s->n_regions * w->size; ++k) {
@@ -367,7 +367,7 @@ static double largest_error(const ice *s)
 
 static floe_status search_steps(ice *s, cut_search *q)
 {
-    ice_cut_system *w = s->sealing->system;
+    ice_cut_system *w = s->cut_cells->system;
     const cg_system system = {apply_matrix, apply_preconditioner, q, CG_WEIGHTED, w->weight};
     const double tolerance = s->scene->method.pressure_tolerance;
     double best = INFINITY, residual = largest_error(s);
@@ -394,17 +394,17 @@ static floe_status reserve_walls(const ice *s, ice_cut_system *w, size_t n)
     return FLOE_OK;
 }
 
-floe_status ice_sealed_solve(void *fluids, const wall_motion *motion, double *pressure)
+floe_status ice_cut_solve(void *fluids, const wall_motion *motion, double *pressure)
 {
     ice *s = fluids;
     cut_search q = {s, motion};
-    TRY(reserve_walls(s, s->sealing->system, (size_t)s->walls->n_cells));
+    TRY(reserve_walls(s, s->cut_cells->system, (size_t)s->walls->n_cells));
     TRY(meet_walls(s, &q));
     TRY(search_steps(s, &q));
     int first = 0;
     for (int g = 0; g < s->n_regions; ++g) {
         const ice_merged_cells *p = ice_merged_cells_of(s, &s->region[g]);
-        const double *x = part_of(s, &s->region[g], s->sealing->system->x);
+        const double *x = part_of(s, &s->region[g], s->cut_cells->system->x);
         for (int k = 0; k < p->count; ++k) pressure[first + k] = x[lead_index(s, p, k)];
         first += p->count;
     }
@@ -427,10 +427,10 @@ static void expand_members(const ice *s, const ice_region *g, const wall_cell *c
 
 static floe_status take_region(ice *s, const ice_region *g, const wall_cell *cell)
 {
-    double *x = part_of(s, g, s->sealing->system->x);
-    ice_seal_views(s, g);
+    double *x = part_of(s, g, s->cut_cells->system->x);
+    ice_cut_views(s, g);
     spread_lead(s, ice_merged_cells_of(s, g), x);
-    memcpy(s->rows[g->number].x, x, s->sealing->system->size * sizeof *x);
+    memcpy(s->rows[g->number].x, x, s->cut_cells->system->size * sizeof *x);
     ice_implicit_take(s, g);
     ice_implicit_push(s, g);
     ice_implicit_advance(s, g);
@@ -440,7 +440,7 @@ static floe_status take_region(ice *s, const ice_region *g, const wall_cell *cel
     return ice_face_pressure_of(s, g);
 }
 
-floe_status ice_sealed_take(ice *s)
+floe_status ice_cut_take(ice *s)
 {
     const wall_cell *cell = s->walls->cell;
     for (int g = 0; g < s->n_regions; ++g) {

@@ -8,9 +8,9 @@
  * Under gravity P is linear within the merged cells: dP has the value at their centre, the other sums have that at the face or piece, so that they include
  * the weight of the cells (ice_merged_weight.c). A viscous fluid sticks to the wall: the shear force over half a cell, theta mu |A_w| (u - v)/(h/2), acts on
  * wall and fluid in opposite directions. No heat crosses the wall. Where there is no gas on its other side, the reference pressure acts there. */
-#include "ice/sealed/ice_merged_cells.h"
-#include "ice/sealed/ice_merged_pieces.h"
-#include "ice/sealed/ice_wall_flow.h"
+#include "ice/cut/ice_merged_cells.h"
+#include "ice/cut/ice_merged_pieces.h"
+#include "ice/cut/ice_wall_flow.h"
 
 #include "ice/exchange/ice_exchange.h"
 #include "ice/ice_constants.h"
@@ -77,7 +77,7 @@ static void force_on(const ice_piece_walk *w, piece_force *f)
     const ice_view *v = ice_member_view(s, w->member);
     const double P = pressure_on(w);
     for (int a = 0; a < s->mesh->dim; ++a) f->all[a] = w->outward * P * q->area[a];
-    if (!s->sealing->wall[w->p->region->number]) {
+    if (!s->cut_cells->wall[w->p->region->number]) {
         memset(f->drag, 0, sizeof f->drag);
         return;
     }
@@ -97,7 +97,7 @@ static void force_on(const ice_piece_walk *w, piece_force *f)
 void ice_merged_centring(const ice *s, const ice_region *g)
 {
     const ice_merged_cells *p = ice_merged_cells_of(s, g);
-    ice_seal_views(s, g);
+    ice_cut_views(s, g);
     for (int k = 0; k < p->n; ++k) ice_member_view(s, &p->member[k])->shock[p->member[k].at] = 1.0;
 }
 
@@ -124,7 +124,7 @@ void ice_merged_fluxes(const ice *s, ice_merged_cells *p)
 static void still_elsewhere(const ice *s, const ice_merged_cells *p)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
+        const ice_view *v = &s->cut_cells->view[id];
         for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);) {
             if (v->m[0].open[c.at] > 0.0 || p->place[cut_index(s->mesh, c.cell)] >= 0) continue;
             v->dP[c.at] = 0.0;
@@ -136,7 +136,7 @@ static void still_elsewhere(const ice *s, const ice_merged_cells *p)
 void ice_merged_increment(const ice *s, const ice_region *g)
 {
     ice_merged_cells *p = ice_merged_cells_of(s, g);
-    ice_seal_views(s, g);
+    ice_cut_views(s, g);
     ice_merged_fluxes(s, p);
     if (g->n > 1) still_elsewhere(s, p);
     for (int k = 0; k < p->n; ++k) {
@@ -188,7 +188,7 @@ static void add_face_stress(const ice *s, const ice_merged_cells *p, const ice_m
     const int i = m->cell[0] - v->b->lo[0] + (axis == 0 && side == SIDE_UPPER);
     for (int r = 0; r < p->region->n; ++r) {
         const stress_sums to = stress_sums_of(p, m->merged, r);
-        const ice_face_diffusion t = ice_sealed_stress(v, r, axis, at, i),
+        const ice_face_diffusion t = ice_cut_stress(v, r, axis, at, i),
                                  other = ice_stress_between(s, v, r, axis, at, i, side);
         for (int a = 0; a < s->mesh->dim; ++a) to.momentum[a] += area * m->face[axis][side] * (t.t[a] + other.t[a]);
         *to.work += area * m->face[axis][side] * (t.power + other.power);
@@ -200,7 +200,7 @@ static void add_hoop(const ice *s, const ice_merged_cells *p, const ice_member *
     const ice_view *v = ice_member_view(s, m);
     for (int r = 0; r < p->region->n; ++r)
         stress_sums_of(p, m->merged, r).momentum[0] += s->dt * m->open * mesh_cell_volume(s->mesh, m->cell[0]) *
-                                                       ice_sealed_hoop(v, r, m->at, m->cell[0] - v->b->lo[0]);
+                                                       ice_cut_hoop(v, r, m->at, m->cell[0] - v->b->lo[0]);
 }
 
 /* Impulse and work of the faces of a member on its merged cells. */
@@ -259,8 +259,8 @@ void ice_merged_diffusion_rates(const ice *s, const ice_region *g)
 static void add_gas_heat(const ice *s, ice_merged_cells *p)
 {
     double mass = 0.0, heat = 0.0;
-    for (int l = 0; l < s->seal.n_lines; ++l)
-        if (ice_encloses(s, l, p->region->number)) heat = s->seal.line[l].heat;
+    for (int l = 0; l < s->embedded.n_boundaries; ++l)
+        if (ice_encloses(s, l, p->region->number)) heat = s->embedded.boundary[l].heat;
     if (heat == 0.0) return;
     for (int n = 0; n < p->count; ++n) mass += p->sum[(size_t)n * MERGED_SUMS + MERGED_MASS];
     for (int n = 0; n < p->count && mass > 0.0; ++n) {
@@ -272,13 +272,13 @@ static void add_gas_heat(const ice *s, ice_merged_cells *p)
 /* Pressure (Pa) outside the membranes where there is no gas; the stress of solids is against it. */
 static double pressure_beyond(const ice *s)
 {
-    return s->n_regions == s->seal.n_lines ? s->scene->reference_pressure : 0.0;
+    return s->n_regions == s->embedded.n_boundaries ? s->scene->reference_pressure : 0.0;
 }
 
 /* The same on the other side of a line: inside another there is its gas. */
 static double pressure_behind(const ice *s, int line)
 {
-    return s->seal.line[line].within < 0 ? pressure_beyond(s) : 0.0;
+    return s->embedded.boundary[line].within < 0 ? pressure_beyond(s) : 0.0;
 }
 
 /* What the reference pressure does to the membranes about the current gas, or to the surfaces, in the step: into the
@@ -395,7 +395,7 @@ static merged_state advance_merged_cells(const ice *s, const ice_merged_cells *p
 static void keep_elsewhere(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
+        const ice_view *v = &s->cut_cells->view[id];
         const ice_fluid *m = v->m;
         const ice_rows q = ice_rows_of(v->b, -1, 0);
 #pragma omp parallel for schedule(static)
@@ -433,7 +433,7 @@ static void advance_fluid(const ice *s, ice_merged_cells *p)
 void ice_merged_sources(const ice *s, const ice_region *g)
 {
     ice_merged_cells *p = ice_merged_cells_of(s, g);
-    ice_seal_views(s, g);
+    ice_cut_views(s, g);
     keep_elsewhere(s);
     ice_clear_merged(p);
     add_merged_sources(s, p);
@@ -455,7 +455,7 @@ static void push_vertices(const ice_piece_walk *w, const double force[3])
 /* Forces of a region on the boundaries beside it. */
 static void load_vertices(const ice *s, const ice_region *g)
 {
-    ice_seal_views(s, g);
+    ice_cut_views(s, g);
     for (ice_piece_walk w = ice_first_piece(s, ice_merged_cells_of(s, g)); ice_next_piece(&w);) {
         const double beyond = pressure_behind(s, w.number);
         double force[3];
@@ -466,10 +466,11 @@ static void load_vertices(const ice *s, const ice_region *g)
     }
 }
 
-floe_status ice_sealed_load(ice *s)
+floe_status ice_cut_load(ice *s)
 {
-    for (int l = 0; l < s->seal.n_lines; ++l)
-        for (int k = 0; k < 3 * s->seal.line[l].place[SEAL_NOW].n_vertices; ++k) s->seal.line[l].force[k] = 0.0;
+    for (int l = 0; l < s->embedded.n_boundaries; ++l)
+        for (int k = 0; k < 3 * s->embedded.boundary[l].place[CUT_NOW].n_vertices; ++k)
+            s->embedded.boundary[l].force[k] = 0.0;
     for (int g = 0; g < s->n_regions; ++g) load_vertices(s, &s->region[g]);
     return s->walls ? ice_merged_response(s) : FLOE_OK;
 }

@@ -1,6 +1,6 @@
 /* What merged cells hold: the sums of their members, after advection and at the start, and from them one density, velocity and energy for all members
  * (theory 7.1). */
-#include "ice/sealed/ice_merged_cells.h"
+#include "ice/cut/ice_merged_cells.h"
 
 #include "ice/flux/ice_flux.h"
 #include "ice/ice_constants.h"
@@ -37,10 +37,10 @@ static void add_contents(const ice *s, const ice_member *k, double *sum)
 static void renew_open(const ice *s, const ice_region *g)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
+        const ice_view *v = &s->cut_cells->view[id];
         for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);)
             for (int r = 0; r < v->n_materials; ++r)
-                v->m[r].open1[c.at] = ice_open_cell(s, g->number, SEAL_NEXT, c.cell);
+                v->m[r].open1[c.at] = ice_open_cell(s, g->number, CUT_NEXT, c.cell);
     }
 }
 
@@ -48,7 +48,7 @@ static void renew_open(const ice *s, const ice_region *g)
 static void empty_elsewhere(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
+        const ice_view *v = &s->cut_cells->view[id];
         for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);)
             for (int r = 0; r < v->n_materials; ++r) {
                 const ice_fluid *m = &v->m[r];
@@ -81,7 +81,8 @@ static bool is_void(const ice *s, const ice_merged_cells *p, int merged, bool ne
     const double cell = mesh_cell_volume(s->mesh, p->member[p->lead[merged]].cell[0]);
     if (sum[MERGED_MASS] == 0.0 && next) return true;
     return sum[MERGED_VOLUME] < ICE_GAP_FRACTION * cell &&
-           fabs(sum[MERGED_MASS]) <= ICE_GAP_DENSITY * s->sealing->rest[p->region->number].density * sum[MERGED_VOLUME];
+           fabs(sum[MERGED_MASS]) <=
+               ICE_GAP_DENSITY * s->cut_cells->rest[p->region->number].density * sum[MERGED_VOLUME];
 }
 
 static void empty_cell(const ice_fluid *m, int dim, ptrdiff_t at, bool next)
@@ -113,7 +114,7 @@ static floe_status share_out(ice *s, const ice_merged_cells *p, bool next)
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *member = &p->member[k];
-        const ice_fluid *m = &s->sealing->view[member->block].m[0];
+        const ice_fluid *m = &s->cut_cells->view[member->block].m[0];
         const double *sum = p->sum + (size_t)member->merged * MERGED_SUMS;
         if (!(member->open > 0.0)) continue;
         if (sum[MERGED_VOLUME] == 0.0) {
@@ -129,10 +130,10 @@ static floe_status share_out(ice *s, const ice_merged_cells *p, bool next)
 
 floe_status ice_advect_merged(ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = &s->sealing->next[g->number];
+    ice_merged_cells *p = &s->cut_cells->next[g->number];
     TRY(ice_advect_of(s, g));
-    ice_seal_views(s, g);
-    for (int id = 0; id < s->mesh->n_blocks; ++id) ice_view_lagrangian(&s->sealing->view[id]);
+    ice_cut_views(s, g);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) ice_view_lagrangian(&s->cut_cells->view[id]);
     TRY(ice_merge_cells(s, MERGE_AFTER, p));
     ledger_tally(s->ledger, COUNT_CELLS_MERGED, p->n - p->count);
     renew_open(s, g);
@@ -151,7 +152,7 @@ floe_status ice_advect_merged(ice *s, const ice_region *g)
 
 static void add_first_contents(const ice *s, const ice_member *k, double *sum)
 {
-    const ice_fluid *m = &s->sealing->view[k->block].m[0];
+    const ice_fluid *m = &s->cut_cells->view[k->block].m[0];
     const ptrdiff_t at = k->at;
     const double volume = k->open * mesh_cell_volume(s->mesh, k->cell[0]), mass = volume * m->rho[at];
     double e = m->e[at];
@@ -188,7 +189,7 @@ static floe_status refuse_empty(const ice *s, const ice_view *v, const int cell[
 static floe_status find_empty(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->sealing->view[id];
+        const ice_view *v = &s->cut_cells->view[id];
         const ice_rows q = ice_rows_of(v->b, -1, 0);
         for (int row = 0; row < q.n; ++row)
             for (int i = 0; i < v->b->n[0]; ++i) {
@@ -203,8 +204,8 @@ static floe_status find_empty(const ice *s)
 
 floe_status ice_start_merged(ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = &s->sealing->now[g->number];
-    ice_seal_views(s, g);
+    ice_merged_cells *p = &s->cut_cells->now[g->number];
+    ice_cut_views(s, g);
     TRY(ice_merge_cells(s, MERGE_BEFORE, p));
     ice_clear_merged(p);
     if (g->n > 1) TRY(ice_start_fluids(s, g));

@@ -1,6 +1,6 @@
 /* Pieces of boundaries (ice_merged_pieces.h), and the response of the pressure on them to their motion in the step (theory 7.6):
  * merged cells take the change of pressure that is found with the inertia behind the pieces (coupling/wall_response.h). */
-#include "ice/sealed/ice_merged_pieces.h"
+#include "ice/cut/ice_merged_pieces.h"
 
 #include "coupling/wall_response.h"
 #include "ice/flux/ice_flux.h"
@@ -11,7 +11,7 @@
 
 ice_merged_cells *ice_merged_cells_of(const ice *s, const ice_region *g)
 {
-    return &s->sealing->now[g->number];
+    return &s->cut_cells->now[g->number];
 }
 
 double ice_merged_sound(const ice_view *v, ptrdiff_t at)
@@ -21,18 +21,18 @@ double ice_merged_sound(const ice_view *v, ptrdiff_t at)
 
 ice_piece_walk ice_first_piece(const ice *s, const ice_merged_cells *p)
 {
-    return (ice_piece_walk){.s = s, .p = p, .place = SEAL_MEAN, .n = -1, .weight = 1.0 / ICE_SEAL_PLACES};
+    return (ice_piece_walk){.s = s, .p = p, .place = CUT_MEAN, .n = -1, .weight = 1.0 / ICE_CUT_PREDICTED};
 }
 
 bool ice_next_piece(ice_piece_walk *w)
 {
-    const ice_seal *seal = &w->s->seal;
-    for (w->n++; w->number < seal->n_lines; w->number++, w->place = SEAL_MEAN, w->n = 0) {
-        const ice_seal_line *line = &seal->line[w->number];
+    const ice_embedded *set = &w->s->embedded;
+    for (w->n++; w->number < set->n_boundaries; w->number++, w->place = CUT_MEAN, w->n = 0) {
+        const ice_embedded_boundary *line = &set->boundary[w->number];
         w->outward = ice_outward(w->s, w->p->region->number, w->number);
         if (w->outward == 0.0) continue;
-        for (; w->place < SEAL_NEXT && w->n >= line->place[w->place].n_pieces; w->place++) w->n = 0;
-        if (w->place == SEAL_NEXT) continue;
+        for (; w->place < CUT_NEXT && w->n >= line->place[w->place].n_pieces; w->place++) w->n = 0;
+        if (w->place == CUT_NEXT) continue;
         const cut_surface *c = &line->place[w->place];
         w->line = line;
         w->piece = &c->piece[w->n];
@@ -76,7 +76,7 @@ static floe_status add_region(ice *s, const ice_region *g)
 {
     const ice_merged_cells *p = ice_merged_cells_of(s, g);
     const int first = s->walls->n_cells;
-    ice_seal_views(s, g);
+    ice_cut_views(s, g);
     TRY(wall_response_add_cells(s->walls, p->count));
     for (int k = 0; k < p->count; ++k) set_wall_cell(s, p, k, &s->walls->cell[first + k]);
     for (ice_piece_walk w = ice_first_piece(s, p); ice_next_piece(&w);) {
@@ -100,13 +100,13 @@ floe_status ice_merged_response(ice *s)
 }
 
 /* Adds the changes of wall pressure, which the solids have found, to the cells and faces. */
-floe_status ice_sealed_wall_pressure(ice *s)
+floe_status ice_cut_wall_pressure(ice *s)
 {
     const wall_cell *cell = s->walls->cell;
     for (int n = 0; n < s->n_regions; ++n) {
         const ice_region *g = &s->region[n];
         const ice_merged_cells *p = ice_merged_cells_of(s, g);
-        ice_seal_views(s, g);
+        ice_cut_views(s, g);
         for (int k = 0; k < p->n; ++k) {
             const ice_view *v = ice_member_view(s, &p->member[k]);
             const wall_cell *of = &cell[p->member[k].merged];

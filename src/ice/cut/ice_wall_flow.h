@@ -3,7 +3,7 @@
 #ifndef ICE_WALL_FLOW_H
 #define ICE_WALL_FLOW_H
 
-#include "ice/sealed/ice_merged_cells.h"
+#include "ice/cut/ice_merged_cells.h"
 
 /* A place on a boundary in a cut cell. */
 typedef struct wall_place {

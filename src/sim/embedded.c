@@ -1,0 +1,225 @@
+#include "sim/embedded.h"
+
+#include "base/memory.h"
+#include "mpm/surface/boundary.h"
+#include "sim/interface.h"
+#include "sim/light_solid_check.h"
+
+#include <stdio.h>
+
+/* Of a cell: solids in contact overlap by less, but for those that the nodes do not keep apart. */
+static const double contact_overlap = 0.25;
+
+static floe_status create_line(embedded *t, const mesh *m, int holder, embedded_boundary *line)
+{
+    line->share = 1.0;
+    line->fluid = -1;
+    for (int b = 0; b < t->points->n_bodies; ++b)
+        if (t->points->body[b].scene_body == holder) line->body = b;
+    for (int k = 0; k < CUT_PLACES; ++k) {
+        TRY(cut_create(&line->place[k], t->ctx, m));
+        line->place[k].overlap = holder < 0 ? contact_overlap : 0.0;
+    }
+    return FLOE_OK;
+}
+
+floe_status embedded_create(embedded **out, sim *s)
+{
+    int holder
+        [SCENE_MAX_ENCLOSING]; /* surfaces of solids have none, and a line for each fluid, or one for all that share cells */
+    const int n = scene_enclosing_bodies(s->scene, holder);
+    TRY(interface_check(s->scene, &s->mesh));
+    TRY(memory_new(s->ctx, out, 1, sizeof **out));
+    embedded *t = *out;
+    *t = (embedded){.ctx = s->ctx,
+                    .stages = &s->stages,
+                    .points = s->mpm,
+                    .gases = s->ice,
+                    .n_boundaries = n > 0 ? n : s->ice->n_regions,
+                    .walls = {.ctx = s->ctx, .solve = s->ice->implicit ? ice_cut_solve : NULL, .fluids = s->ice}};
+    /* stages that some step may need are planned */
+    embedded_use_wall_response(t, n == 0 && (lightest_moved_solid(s->scene) >= 0 || s->ice->implicit));
+    for (int l = 0; l < t->n_boundaries; ++l) {
+        TRY(create_line(t, &s->mesh, n > 0 ? holder[l] : -1, &t->boundary[l]));
+        if (n == 0) t->boundary[l].fluid = s->ice->material[l].scene_material;
+    }
+    return FLOE_OK;
+}
+
+void embedded_destroy(embedded **t)
+{
+    if (!t || !*t) return;
+    context *ctx = (*t)->ctx;
+    for (int l = 0; l < (*t)->n_boundaries; ++l) {
+        embedded_boundary *line = &(*t)->boundary[l];
+        for (int k = 0; k < CUT_PLACES; ++k) cut_destroy(&line->place[k]);
+        memory_free(ctx, &line->velocity);
+        memory_free(ctx, &line->path);
+        memory_free(ctx, &line->force);
+    }
+    wall_response_free(&(*t)->walls);
+    memory_free(ctx, t);
+}
+
+void embedded_use_wall_response(embedded *t, bool implicit)
+{
+    t->gases->walls = implicit ? &t->walls : NULL;
+    mpm_boundary_responds(t->points, t->gases->walls);
+}
+
+static floe_status reserve_vertices(const embedded *t, embedded_boundary *line, int vertices)
+{
+    if (vertices <= line->reserved) return FLOE_OK;
+    TRY(memory_resize(t->ctx, &line->velocity, 3 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &line->path, 3 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &line->force, 3 * (size_t)vertices, sizeof(double)));
+    line->reserved = vertices;
+    return FLOE_OK;
+}
+
+/* Solids that come to touch, or to a side, with gas between them are more than surfaces can follow. */
+static void tell_remedy(context *ctx)
+{
+    char why[256];
+    (void)snprintf(why, sizeof why, "%s", context_message(ctx));
+    context_clear(ctx);
+    (void)fail(ctx, FLOE_RETRY,
+               "%s: sharp ends where solids come to touch each other or a side; use method.interface: smeared", why);
+}
+
+/* The message for a boundary that cannot be followed says what it is: a membrane, or the surface of the solids. */
+static floe_status tell_of_line(const embedded *t, const embedded_boundary *line, floe_status status)
+{
+    const scene *s = t->points->scene;
+    const scene_body *body = &s->body[t->points->body[line->body].scene_body];
+    const bool holds = body->membrane.present && body->membrane.encloses >= 0;
+    if (status == FLOE_OK) return status;
+    if (holds) return fail_under(t->ctx, status, KEY("bodies", body->name, "membrane"));
+    if (status == FLOE_RETRY) tell_remedy(t->ctx);
+    return fail_under(t->ctx, status, KEY("method", "interface"));
+}
+
+/* Where a line is, or will be. */
+static floe_status find_place(const embedded *t, const embedded_boundary *line, bool next, cut_surface *out)
+{
+    if (line->fluid >= 0)
+        TRY(mpm_boundary_beside(t->points, t->points->scene->fluids_share ? -1 : line->fluid, next, out));
+    else
+        TRY(mpm_boundary_vertices(t->points, line->body, next, out));
+    return tell_of_line(t, line, cut_find(out));
+}
+
+/* A line as the gases see it: what it encloses stays, the rest is of this step. */
+static ice_embedded_boundary *renew_boundary(const embedded *t, int l)
+{
+    ice_embedded_boundary *boundary = &t->gases->embedded.boundary[l];
+    *boundary = (ice_embedded_boundary){
+        .enclosed = boundary->enclosed, .within = boundary->within, .place = t->boundary[l].place};
+    return boundary;
+}
+
+static floe_status find_line_now(embedded *t, embedded_boundary *line)
+{
+    cut_surface *now = &line->place[CUT_NOW];
+    TRY(find_place(t, line, false, now));
+    TRY(reserve_vertices(t, line, now->n_vertices));
+    mpm_boundary_velocity(t->points, line->body, now, line->velocity);
+    for (int k = 0; k < ICE_CUT_PREDICTED; ++k)
+        TRY(tell_of_line(
+            t, line,
+            cut_ahead(now, line->velocity, (k + 0.5) / ICE_CUT_PREDICTED * t->gases->dt, &line->place[CUT_MEAN + k])));
+    return FLOE_OK;
+}
+
+/* The lines where they are: what they cut, and how fast they move. */
+static floe_status embedded_find_now(embedded *t)
+{
+    for (int l = 0; l < t->n_boundaries; ++l) {
+        embedded_boundary *line = &t->boundary[l];
+        TRY(find_line_now(t, line));
+        ice_embedded_boundary *boundary = renew_boundary(t, l);
+        boundary->velocity = line->velocity;
+        boundary->path = line->path;
+        boundary->force = line->force;
+    }
+    if (!t->nested) ice_cut_nest(t->gases);
+    t->nested = true;
+    for (int place = CUT_NOW; place < CUT_NEXT; ++place) TRY(ice_cut_check(t->gases, place));
+    return FLOE_OK;
+}
+
+floe_status embedded_find_still(embedded *t)
+{
+    for (int l = 0; l < t->n_boundaries; ++l) {
+        embedded_boundary *line = &t->boundary[l];
+        TRY(find_place(t, line, false, &line->place[CUT_NOW]));
+        (void)renew_boundary(t, l);
+    }
+    return ice_cut_check(t->gases, CUT_NOW);
+}
+
+floe_status embedded_find_moved(embedded *t)
+{
+    for (int l = 0; l < t->n_boundaries; ++l)
+        TRY(find_place(t, &t->boundary[l], true, &t->boundary[l].place[CUT_NEXT]));
+    return ice_cut_check(t->gases, CUT_NEXT);
+}
+
+static floe_status embedded_push_points(embedded *t)
+{
+    mpm_boundary_clear(t->points);
+    for (int l = 0; l < t->n_boundaries; ++l)
+        mpm_boundary_force(t->points, t->boundary[l].body, &t->boundary[l].place[CUT_NOW], t->boundary[l].force);
+    return FLOE_OK;
+}
+
+/* The new positions of the points, and the displacements over which the pressure has done work. */
+static floe_status embedded_find_next(embedded *t)
+{
+    for (int l = 0; l < t->n_boundaries; ++l) {
+        embedded_boundary *line = &t->boundary[l];
+        mpm_boundary_displacement(t->points, line->body, &line->place[CUT_NOW], line->path);
+        t->gases->embedded.boundary[l].heat = line->share * mpm_boundary_lost_energy(t->points);
+    }
+    return embedded_find_moved(t);
+}
+
+/* Which line's gas takes up how much of what the points lose. */
+static floe_status share_losses(embedded *t)
+{
+    mpm_totals sum;
+    double mass = 0.0;
+    for (int l = 0; l < t->n_boundaries && t->boundary[0].fluid >= 0; ++l) t->boundary[l].share = 1.0 / t->n_boundaries;
+    if (t->n_boundaries == 1 || t->boundary[0].fluid >= 0) return FLOE_OK;
+    TRY(mpm_sum(t->points, &sum));
+    for (int l = 0; l < t->n_boundaries; ++l) mass += sum.mass[t->boundary[l].body];
+    for (int l = 0; l < t->n_boundaries; ++l) t->boundary[l].share = sum.mass[t->boundary[l].body] / mass;
+    return FLOE_OK;
+}
+
+/* What would only be met as a step that goes bad is said at the start. */
+static floe_status check_lines(const sim *s, floe_status found)
+{
+    const int holder = scene_enclosing_body(s->scene);
+    const char *const *key = holder < 0 ? KEY("method", "interface") : KEY("bodies", s->scene->body[holder].name);
+    if (found == FLOE_RETRY) return fail_under(s->ctx, FLOE_BAD_INPUT, key); /* the message stands */
+    return found;
+}
+
+floe_status embedded_initialise(sim *s)
+{
+    TRY(share_losses(s->embedded));
+    TRY(check_lines(s, embedded_find_now(s->embedded)));
+    return ice_cut_initialise(s->ice);
+}
+
+floe_status embedded_step(sim *s)
+{
+    embedded *t = s->embedded;
+    STAGE(t, ALWAYS, embedded_find_now, READS(P_ID, P_POS, P_VEL), WRITES(NOTHING));
+    TRY(ice_cut_pressure_stages(s->ice));
+    STAGE(t, ALWAYS, embedded_push_points, READS(P_POS), WRITES(NOTHING));
+    TRY(mpm_step_in_substeps(s->mpm));
+    STAGE(t, ALWAYS, embedded_find_next, READS(P_ID, P_POS, N_VEL_L, N_ACCEL), WRITES(NOTHING));
+    return ice_cut_flow_stages(s->ice);
+}
