@@ -202,7 +202,7 @@ def all_rows(tree, others):
     for deck in all_decks(stamp.ROOT):
         yield from (("run", str(deck.relative_to(stamp.ROOT)), coupling, "") for coupling in couplings(deck))
     yield from (("run", deck, coupling, " ".join(settings)) for deck, coupling, settings in VARIANTS if tree.has(deck))
-    yield from ((command, deck, "", " ".join(settings)) for command, deck, settings in COMMANDS if tree.has(deck))
+    yield from ((command, deck, coupling, " ".join(settings)) for command, deck, coupling, settings in COMMANDS if tree.has(deck))
 
 
 def machine():

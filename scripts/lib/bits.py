@@ -120,14 +120,17 @@ def needed(rows, commands, decks, also):
     for key in sorted(rows):
         what, deck, coupling, settings = key
         keys = keys_of(settings)
-        if what != "run":
-            if what in used or deck in also:
+        if what == "test":
+            if deck in also:
                 yield key
-        elif not settings:
+        elif what == "run" and not settings:
             if deck in decks:
                 yield key
         elif coupling not in couplings:
             continue
+        elif what != "run":
+            if what in used:
+                yield key
         elif any(one.split(".")[-1] in words for one in keys) or (preset and any(one.startswith("method") for one in keys)):
             yield key
 

@@ -1,5 +1,5 @@
 """What a record of bits (scripts/same_bits.py record) runs beyond every deck in its couplings: settings that pages choose and decks may not, on a small
-deck each, as (deck, coupling, settings); and commands that make tables of cases and pictures, as (command, deck, words)."""
+deck each, as (deck, coupling, settings); and commands that make tables of cases and pictures, as (command, deck, coupling, words)."""
 LINE, PLANE, RING = "inputs/bar_mms.yaml", "inputs/ring_mms.yaml", "inputs/annulus_traction.yaml"
 CYLINDER, TUBE, BARS, CIRCLE = "inputs/pressurized_cylinder.yaml", "inputs/sod.yaml", "inputs/two_bars.yaml", "inputs/membrane_circle.yaml"
 BASES = ("linear", "gimp", "cpdi", "quadratic", "cubic")
@@ -41,12 +41,14 @@ VARIANTS = [
     *((CIRCLE, coupling, ["time.solver=static"]) for coupling in ("mpm", "ice-mpm")),
 ]
 
-COMMANDS = [
-    ("compare", TUBE, ["--axis", "domain.cell=0.04,0.02", "--repeat", "0"]),
-    ("compare", "inputs/closed_box.yaml", ["--set", "time.max_steps=20", "--repeat", "0"]),
-    ("study", LINE, ["--bases=linear,quadratic", "--axis", "domain.cell=0.25,0.125", "--repeat", "0"]),
-    ("study", TUBE, ["--couplings=mpm,ice", "--axis", "domain.cell=0.1,0.05,0.025", "--set", "study=null", "--repeat", "0"]),
-    ("stability", "inputs/stability_line.yaml", ["--set", "time.max_steps=400", "--tolerance", "0.1"]),
-    ("picture", CYLINDER, ["--coupling", "ice-mpm", "--set", "time.max_steps=4"]),
-    ("picture", TUBE, ["--coupling", "ice", "--set", "time.max_steps=4"]),
+COMMANDS = [ # each in one coupling, so that a page of another does not hang on it
+    *(("compare", TUBE, coupling, ["--axis", "domain.cell=0.04,0.02", "--set", f"runs_as=[{coupling}]", "--set", f"coupling={coupling}", "--repeat", "0"]) for coupling in ("mpm", "ice")),
+    *(("compare", "inputs/closed_box.yaml", coupling, ["--set", "time.max_steps=20", "--set", f"runs_as=[{coupling}]", "--set", f"coupling={coupling}", "--repeat", "0"])
+      for coupling in ("mpm", "ice")),
+    ("study", LINE, "mpm", ["--bases=linear,quadratic", "--axis", "domain.cell=0.25,0.125", "--repeat", "0"]),
+    *(("study", TUBE, coupling, [f"--couplings={coupling}", "--axis", "domain.cell=0.1,0.05,0.025", "--set", "study=null", "--repeat", "0"]) for coupling in ("mpm", "ice")),
+    ("stability", "inputs/stability_line.yaml", "mpm", ["--set", "time.max_steps=400", "--tolerance", "0.1"]),
+    ("picture", CYLINDER, "ice-mpm", ["--coupling", "ice-mpm", "--set", "time.max_steps=4"]),
+    ("picture", CYLINDER, "mpm", ["--coupling", "mpm", "--set", "time.max_steps=4"]),
+    ("picture", TUBE, "ice", ["--coupling", "ice", "--set", "time.max_steps=4"]),
 ]
