@@ -73,11 +73,13 @@ static void remark_sinking(remark_speaker *w, const scene_body *b)
     const bool keeps = strcmp(transfer, "flip") == 0 || strcmp(transfer, "afmpm") == 0;
     if (w->s->mesh.dim == 1 || !keeps || !eos_is_liquid(&w->s->material[b->material].eos)) return;
     remark_set_key(w, "method", "transfer", "");
-    remark_key(w,
-               "with '%s' the points of liquid '%s' sink between each other under gravity, and what they lose is noise "
-               "of their velocities: a wave in a tank had 1.2 to 1.8 times its kinetic energy after two periods, and "
-               "where two liquids meet 27 times. Take apic (0.76 to 0.9), or coupling ice-mpm",
-               transfer, b->name);
+    remark_key(
+        w,
+        "with '%s' the points of liquid '%s' sink between each other under gravity, and what they lose is noise "
+        "of their velocities: a wave in a tank had 1.2 to 1.8 times its kinetic energy after two periods, and "
+        "where two liquids meet 27 times. Take coupling ice-mpm, or apic (0.76 to 0.9; but a heavy cylinder sank "
+        "a sixth to a third too little in it)",
+        transfer, b->name);
 }
 
 void remark_columns(const scene *s, remark_sink *say, void *user)
