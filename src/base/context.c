@@ -46,6 +46,16 @@ static void context_report_leak(context *ctx)
     }
 }
 
+void context_watch(context *ctx, const volatile sig_atomic_t *stop)
+{
+    ctx->stop = stop;
+}
+
+bool context_must_stop(const context *ctx)
+{
+    return ctx->stop && *ctx->stop;
+}
+
 void context_destroy(context **ctx)
 {
     if (ctx == NULL || *ctx == NULL) return;

@@ -7,6 +7,7 @@
 #include "base/compiler.h"
 #include "floe/status.h"
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -52,6 +53,11 @@ void context_clear(context *ctx);
 void context_set_sink(context *ctx, log_sink *sink, void *user, log_level most_detail);
 /* One formatted line to the sink, if `level` is not beyond the sink's detail (any thread). */
 void context_log(context *ctx, log_level level, const char *format, ...) FLOE_PRINTF(3, 4);
+
+/* What becomes non-zero when work is asked to end early: a signal, say. Not owned; NULL: never. Work that may take minutes asks
+ * context_must_stop between its parts, and returns FLOE_INTERRUPTED with its state as it was. */
+void context_watch(context *ctx, const volatile sig_atomic_t *stop);
+bool context_must_stop(const context *ctx);
 
 const char *status_name(floe_status status); /* "FLOE_RETRY" */
 const char *status_text(floe_status status); /* the sentence of FLOE_STATUS_LIST */

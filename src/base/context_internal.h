@@ -22,6 +22,8 @@ struct context {
     void *sink_user;
     log_level most_detail;
 
+    const volatile sig_atomic_t *stop; /* asks work to end; not owned; NULL: nobody does */
+
     /* Memory account. `attempts` counts failed allocations too; fail_from is the attempt that fails first, 0: none. */
     atomic_uint_fast64_t attempts;
     atomic_uint_fast64_t allocations;

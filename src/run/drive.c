@@ -370,7 +370,9 @@ static floe_status start_outputs(run *r)
 static floe_status carry_out_run(run *r, run_summary *out)
 {
     floe_status status = start_outputs(r);
+    context_watch(r->ctx, r->options->stop);
     if (status == FLOE_OK) status = run_time_loop(r);
+    context_watch(r->ctx, NULL);
     if (status == FLOE_OK)
         status = finish_run(r, out);
     else if (status == FLOE_INTERRUPTED)

@@ -235,6 +235,34 @@ static void iterations_stay(void **unused)
     }
 }
 
+/* An increment that is asked to end leaves the state as it was, and the next one is the same to the bit. */
+static void increment_is_interrupted(void **unused)
+{
+    (void)unused;
+    static const char *const set[] = {"time.solver=static", "domain.cell=0.1", "time.increments=2"};
+    double strain[2];
+    for (int interrupted = 0; interrupted < 2; ++interrupted) {
+        volatile sig_atomic_t stop = interrupted;
+        sim_totals totals;
+        trial t;
+        deck_begin(&t, "annulus_traction", set, 3);
+        trial_start(&t);
+        trial_steps(&t, 1);
+        const double before = t.sim->time;
+        context_watch(t.ctx, &stop);
+        if (interrupted) {
+            assert_int_equal(sim_step(t.sim, t.scene->time.end), FLOE_INTERRUPTED);
+            check_true(t.sim->time == before && t.sim->steps == 1);
+            stop = 0;
+        }
+        trial_steps(&t, 1);
+        check_ok(t.ctx, sim_sum(t.sim, &totals));
+        strain[interrupted] = totals.strain;
+        trial_end(&t);
+    }
+    check_true(strain[0] == strain[1] && strain[0] > 0.0);
+}
+
 /* What damped steps settle to, as the rest that the deck asks for comes closer. */
 static void rest_of_damped_steps(void **unused)
 {
@@ -514,13 +542,21 @@ static void same_bits(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bar_under_its_weight), cmocka_unit_test(wall_that_moves),
-        cmocka_unit_test(bar_at_large_strain),  cmocka_unit_test(block_in_space),
-        cmocka_unit_test(tube_about_an_axis),   cmocka_unit_test(iterations_stay),
-        cmocka_unit_test(rest_of_damped_steps), cmocka_unit_test(free_bodies_are_refused),
-        cmocka_unit_test(auto_says_why),        cmocka_unit_test(gas_and_bar),
-        cmocka_unit_test(gas_in_a_bore),        cmocka_unit_test(implicit_steps),
-        cmocka_unit_test(block_in_flight),      cmocka_unit_test(same_bits),
+        cmocka_unit_test(bar_under_its_weight),
+        cmocka_unit_test(wall_that_moves),
+        cmocka_unit_test(bar_at_large_strain),
+        cmocka_unit_test(block_in_space),
+        cmocka_unit_test(tube_about_an_axis),
+        cmocka_unit_test(iterations_stay),
+        cmocka_unit_test(increment_is_interrupted),
+        cmocka_unit_test(rest_of_damped_steps),
+        cmocka_unit_test(free_bodies_are_refused),
+        cmocka_unit_test(auto_says_why),
+        cmocka_unit_test(gas_and_bar),
+        cmocka_unit_test(gas_in_a_bore),
+        cmocka_unit_test(implicit_steps),
+        cmocka_unit_test(block_in_flight),
+        cmocka_unit_test(same_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -178,6 +178,7 @@ static floe_status iterate_newton(mpm *s)
     bool stale = true;
     double before = INFINITY;
     for (w->newton = 0;; ++w->newton) {
+        if (context_must_stop(s->ctx)) return FLOE_INTERRUPTED;
         const bool turned = implicit_contact_update(s, w->u), driven = find_constraint_step(s);
         const double left = constrained_norm(w, w->residual), scale = force_scale(s);
         if (!turned && !driven && left <= tolerance * scale) return FLOE_OK;
