@@ -60,6 +60,7 @@ static floe_status find_wall_flow(ice *s, const ice_region *g)
 {
     TRY(ice_find_wall_flow(s, g));
     if (s->implicit) ice_cut_viscous_rates(s, g);
+    if (ice_covered_stick(s, g)) ice_stick_covered(s, g);
     return FLOE_OK;
 }
 
@@ -214,7 +215,7 @@ floe_status ice_cut_pressure_stages(ice *s)
                  WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(m, C_ENERGY_FOUND), WHEN(m, C_VOLUME_FOUND),
                  WHEN(r, C_REACTED), WHEN(slips, C_WALL), WHEN(slips, C_OPEN)));
     STAGE(s, ice_is_viscous(s), ice_cut_wall_flow, READS(C_RHO, C_VEL, C_OPEN),
-          WRITES(C_VEL_CENTRED, WHEN(implicit, C_DIFFUSION), WHEN(implicit, C_DIFFUSION_HEAT)));
+          WRITES(C_VEL_CENTRED, WHEN(implicit, C_VEL), WHEN(implicit, C_DIFFUSION), WHEN(implicit, C_DIFFUSION_HEAT)));
     STAGE(s, ALWAYS, ice_cut_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(implicit && ice_is_viscous(s), C_DIFFUSION), WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL),

@@ -1,8 +1,9 @@
 /* The state of a gas in cells without it, of which differences near the boundary are taken (theory 7.1): marked cells keep their own, two layers
- * about them have the mean of their neighbours. */
+ * about them have the mean of their neighbours; velocities of a viscous fluid beside the implicit pressure those by which it sticks to the wall (7.8). */
 #include "ice/cut/ice_merged_cells.h"
 
 #include "ice/sides/ice_sides.h"
+#include "ice/state/ice_walk.h"
 
 /* Marks of cells that have a state, during the stage; stored in the array of the shock sensor. */
 static void mark_open(const ice *s, const ice_region *g)
@@ -83,4 +84,28 @@ floe_status ice_extrapolate_states(ice *s, const ice_region *g)
     extrapolate_layers(s, g);
     if (g->n > 1) ice_join_covered(s, g);
     return FLOE_OK;
+}
+
+bool ice_covered_stick(const ice *s, const ice_region *g)
+{
+    return s->implicit && s->cut_cells->wall[g->number];
+}
+
+void ice_stick_covered(const ice *s, const ice_region *g)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->cut_cells->view[id];
+        const ice_fluid *m = &v->m[0];
+        for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);)
+            for (int a = 0; a < v->dim && !(m->open[c.at] > 0.0); ++a) m->u[a][c.at] = m->centred[a][c.at];
+    }
+    ice_fill_ghosts(s, C_VEL, g->first, FILL_CURRENT, GHOST_VELOCITY);
+}
+
+bool ice_keeps_sticking(const ice *s, const ice_merged_cells *p, const ice_member *m)
+{
+    if (m->open > 0.0 || !ice_covered_stick(s, p->region)) return false;
+    for (int place = 0; place < CUT_PLACES; ++place)
+        if (ice_open_cell(s, p->region->number, place, m->cell) > 0.0) return false;
+    return true;
 }

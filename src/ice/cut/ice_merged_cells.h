@@ -130,6 +130,11 @@ floe_status ice_bad_merged_cells(const ice *s, const ice_merged_cells *p, int me
 
 /* The state of a gas in cells without it, for the differences near the boundary (ice_extrapolate.c). */
 floe_status ice_extrapolate_states(ice *s, const ice_region *g);
+/* Whether a viscous fluid sticks to the walls by what covered cells have (theory 7.8); gives them the velocities of 7.7; and whether a member keeps
+ * that: it is covered throughout the step. */
+bool ice_covered_stick(const ice *s, const ice_region *g);
+void ice_stick_covered(const ice *s, const ice_region *g);
+bool ice_keeps_sticking(const ice *s, const ice_merged_cells *p, const ice_member *m);
 /* Advection of a region, and its first states, after which the members of a merged cell have one state (ice_merged_contents.c). */
 floe_status ice_advect_merged(ice *s, const ice_region *g);
 floe_status ice_start_merged(ice *s, const ice_region *g);

@@ -94,11 +94,26 @@ static void force_on(const ice_piece_walk *w, piece_force *f)
     }
 }
 
+/* All of a merged cell is one whole cell of the mesh: the wall lies on its faces. */
+static bool is_one_cell(const ice *s, const ice_merged_cells *p, int merged)
+{
+    const ice_member *lead = &p->member[p->lead[merged]];
+    return lead->open == 1.0 && p->sum[(size_t)merged * MERGED_SUMS + MERGED_VOLUME] <=
+                                    (1.0 + ICE_OPEN_ROUND_OFF) * mesh_cell_volume(s->mesh, lead->cell[0]);
+}
+
 void ice_merged_centring(const ice *s, const ice_region *g)
 {
-    const ice_merged_cells *p = ice_merged_cells_of(s, g);
+    ice_merged_cells *p = ice_merged_cells_of(s, g);
+    const bool stick = ice_covered_stick(s, g);
     ice_cut_views(s, g);
-    for (int k = 0; k < p->n; ++k) ice_member_view(s, &p->member[k])->shock[p->member[k].at] = 1.0;
+    ice_clear_merged(p);
+    for (int k = 0; k < p->n; ++k)
+        p->sum[(size_t)p->member[k].merged * MERGED_SUMS + MERGED_VOLUME] +=
+            p->member[k].open * mesh_cell_volume(s->mesh, p->member[k].cell[0]);
+    for (int k = 0; k < p->n; ++k)
+        if (!(stick && is_one_cell(s, p, p->member[k].merged)))
+            ice_member_view(s, &p->member[k])->shock[p->member[k].at] = 1.0;
 }
 
 void ice_merged_fluxes(const ice *s, ice_merged_cells *p)
@@ -425,8 +440,9 @@ static void advance_fluid(const ice *s, ice_merged_cells *p)
         const ice_member *m = &p->member[k];
         const ice_fluid *to = &ice_member_view(s, m)->m[0];
         const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
-        for (int a = 0; a < s->mesh->dim; ++a) to->ul[a][m->at] = sum[MERGED_MOMENTUM + a];
         to->el[m->at] = sum[MERGED_WORK];
+        if (ice_keeps_sticking(s, p, m)) continue;
+        for (int a = 0; a < s->mesh->dim; ++a) to->ul[a][m->at] = sum[MERGED_MOMENTUM + a];
     }
 }
 
