@@ -315,21 +315,28 @@ static void test_bits(void **unused)
 
 /* ---- a viscous stream that meets a block ---- */
 
+static void stream_begin(trial *t, const char *body, const char *cfl)
+{
+    const char *set[] = {
+        "domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [0.4, 0.2], cell: 0.01}",
+        "boundaries={x: {lower: {inlet: {velocity: [1, 0], pressure: 1e5, temperature: 300}}, upper: {outlet: "
+        "{pressure: 1e5}}}, y: {lower: symmetry, upper: slip}}",
+        "ambient={material: liquid, pressure: 1e5, temperature: 300, velocity: [1, 0]}",
+        "time.end=1",
+        body,
+        cfl};
+    deck_begin(t, "turek_hron_cfd", set, sizeof set / sizeof *set);
+    start(t);
+}
+
 /* The fluid that comes to rest before a block with its faces on the mesh's keeps its head, p + rho u^2/2 (Bernoulli), but for friction, 1e-3 of rho u^2/2 at
  * this Reynolds number of 100. With velocities of covered cells that do not stick to the wall (theory 7.8) it gained 0.068 of it. Measured: 0.0098. */
 static void test_head(void **unused)
 {
     (void)unused;
-    static const char *set[] = {
-        "domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [0.4, 0.2], cell: 0.01}",
-        "boundaries={x: {lower: {inlet: {velocity: [1, 0], pressure: 1e5, temperature: 300}}, upper: {outlet: "
-        "{pressure: 1e5}}}, y: {lower: symmetry, upper: slip}}",
-        "ambient={material: liquid, pressure: 1e5, temperature: 300, velocity: [1, 0]}",
-        "bodies.body.shape={box: {lower: [0.15, -0.05], upper: [0.25, 0.05]}}", "time.end=1"};
     trial t;
     double head[2] = {0.0};
-    deck_begin(&t, "turek_hron_cfd", set, sizeof set / sizeof *set);
-    start(&t);
+    stream_begin(&t, "bodies.body.shape={box: {lower: [0.15, -0.05], upper: [0.25, 0.05]}}", "time.cfl=0.5");
     trial_run(&t, 1.0);
     const fields *f = t.sim->domain->fields[0];
     for (int k = 0; k < 2; ++k) {
@@ -340,6 +347,27 @@ static void test_head(void **unused)
     print_message("head: %.3g of rho u^2/2 gained\n", (head[1] - head[0]) / 500.0);
     check_close((head[1] - head[0]) / 500.0, 0.0, 0.019);
     trial_end(&t);
+}
+
+static double drag_with(const char *cfl)
+{
+    trial t;
+    double force[3], moment[3];
+    stream_begin(&t, "bodies.body.shape={ball: {centre: [0.2, 0], radius: 0.05}}", cfl);
+    while (t.sim->time < 0.6) check_ok(t.ctx, sim_step(t.sim, 1.0));
+    check_true(mpm_motion_force(t.sim->mpm, 0, force, moment));
+    trial_end(&t);
+    return force[0];
+}
+
+/* A stream that has settled about a cylinder does not depend on the step. Measured: drags apart by 0.0145; without advection in the velocities of the faces of
+ * cut cells (theory 7.8) 0.038. */
+static void test_steps(void **unused)
+{
+    (void)unused;
+    const double coarse = drag_with("time.cfl=0.9"), fine = drag_with("time.cfl=0.25");
+    print_message("drag in large and in small steps: %.5g and %.5g N\n", coarse, fine);
+    check_close(coarse / fine, 1.0, 0.025);
 }
 
 /* ---- what is refused ---- */
@@ -372,9 +400,10 @@ static void test_refused(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pushed), cmocka_unit_test(test_lifted),     cmocka_unit_test(test_held),
-        cmocka_unit_test(test_piston), cmocka_unit_test(test_gas_spring), cmocka_unit_test(test_elastic),
-        cmocka_unit_test(test_bits),   cmocka_unit_test(test_head),       cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_pushed),  cmocka_unit_test(test_lifted),     cmocka_unit_test(test_held),
+        cmocka_unit_test(test_piston),  cmocka_unit_test(test_gas_spring), cmocka_unit_test(test_elastic),
+        cmocka_unit_test(test_bits),    cmocka_unit_test(test_head),       cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

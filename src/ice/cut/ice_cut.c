@@ -74,6 +74,7 @@ static floe_status find_velocity(ice *s, const ice_region *g)
     ice_find_cell_sensors(s, g);
     ice_merged_centring(s, g);
     ice_find_face_velocity(s, g);
+    ice_merged_advance(s, g);
     return FLOE_OK;
 }
 
