@@ -286,7 +286,7 @@ typedef struct worst {
     double closure, face, volume, moment, place, force;
 } worst;
 
-static void raise(double *most, double value)
+static void lift(double *most, double value)
 {
     if (!(value <= *most)) *most = value;
 }
@@ -301,15 +301,15 @@ static void look_at_cells(const cut_surface *c, worst *w)
         const cut_piece *q = &c->piece[k];
         for (int a = 0; a < 3; ++a) {
             const double from = (cut_at_middle(c, q, a) - m->lower[a]) / m->h[a] - c->cell[q->cell].cell[a];
-            raise(&w->place, fmax(-from, from - 1.0));
+            lift(&w->place, fmax(-from, from - 1.0));
             area[q->cell][a] += q->area[a] * m->h[a] / mesh_cell_volume(m, 0);
             sum[a] += q->area[a] * m->h[a] / mesh_cell_volume(m, 0);
         }
     }
     for (int k = 0; k < c->n_cells; ++k)
         for (int a = 0; a < 3; ++a)
-            raise(&w->closure, fabs(c->cell[k].face[a][SIDE_UPPER] - c->cell[k].face[a][SIDE_LOWER] + area[k][a]));
-    for (int a = 0; a < 3; ++a) raise(&w->force, fabs(sum[a]));
+            lift(&w->closure, fabs(c->cell[k].face[a][SIDE_UPPER] - c->cell[k].face[a][SIDE_LOWER] + area[k][a]));
+    for (int a = 0; a < 3; ++a) lift(&w->force, fabs(sum[a]));
     free(area);
 }
 
@@ -320,7 +320,7 @@ static void look_at_faces(const cut_surface *c, worst *w)
         for (int a = 0; a < 3; ++a) {
             int next[3] = {cell[0], cell[1], cell[2]};
             if (++next[a] == CELLS) continue;
-            raise(&w->face, fabs(cut_face(c, cell, a, SIDE_UPPER) - cut_face(c, next, a, SIDE_LOWER)));
+            lift(&w->face, fabs(cut_face(c, cell, a, SIDE_UPPER) - cut_face(c, next, a, SIDE_LOWER)));
         }
     }
 }
@@ -332,7 +332,7 @@ static void look(const cut_surface *c, bool inside, worst *w)
     enclosed_moments(c, gas);
     for (int k = 0; k < 4; ++k) {
         const double all = (k == 0 ? 1.0 : 0.5 * CELLS) * CELLS * CELLS * CELLS;
-        raise(k == 0 ? &w->volume : &w->moment, fabs(gas[k] - (inside ? solid[k] : all - solid[k])));
+        lift(k == 0 ? &w->volume : &w->moment, fabs(gas[k] - (inside ? solid[k] : all - solid[k])));
     }
     look_at_cells(c, w);
     look_at_faces(c, w);
