@@ -220,6 +220,11 @@ FIXTURE void map_scene(scene *s, const scene_map *m)
         (void)map_shape(s, m, &s->support[i].region);
         map_vector(m, s->support[i].velocity);
     }
+    for (int i = 0; i < s->n_mass_sources; ++i) {
+        (void)map_shape(s, m, &s->mass_source[i].region);
+        map_vector(m, s->mass_source[i].velocity);
+    }
+    for (int i = 0; i < 2 * s->n_vents; ++i) (void)map_shape(s, m, &s->vent[i / 2].side[i % 2].region);
     for (int i = 0; i < s->n_springs; ++i)
         for (int e = 0; e < 2; ++e) map_place(m, s->spring[i].end[e].place);
     for (int i = 0; i < s->n_probes; ++i) map_place(m, s->probe[i].position);

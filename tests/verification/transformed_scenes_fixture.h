@@ -71,6 +71,7 @@ FIXTURE bool turn_bodies(scene *s, transformation *k)
         s->body[n - 1 - i] = kept;
     }
     for (int i = 0; i < s->n_loads; ++i) turn_index(&s->load[i].body, n);
+    for (int i = 0; i < s->n_mass_sources; ++i) turn_index(&s->mass_source[i].inside, n);
     for (int i = 0; i < s->contact.n_bodies; ++i) turn_index(&s->contact.body[i], n);
     for (int i = 0; i < s->n_springs; ++i)
         for (int e = 0; e < 2; ++e) turn_index(&s->spring[i].end[e].body, n);
@@ -95,6 +96,8 @@ FIXTURE bool turn_materials(scene *s, transformation *k)
         turn_index(&s->body[i].membrane.encloses, n);
     }
     for (int i = 0; i < s->n_loads; ++i) turn_index(&s->load[i].material, n);
+    for (int i = 0; i < s->n_mass_sources; ++i) turn_index(&s->mass_source[i].material, n);
+    for (int i = 0; i < 2 * s->n_vents; ++i) turn_index(&s->vent[i / 2].side[i % 2].material, n);
     for (int i = 0; i < 2 * s->n_exchanges; ++i) turn_index(&s->exchange[i / 2].material[i % 2], n);
     for (int i = 0; i < s->n_reactions; ++i) {
         turn_index(&s->reaction[i].reactant, n);
