@@ -84,7 +84,8 @@ static floe_status refuse_key(reader *r, const key_table *table, deck_node *chil
             return bad_key(r, child, key->key, NULL, "'%s' is now called '%s'", key->formerly, key->key);
     }
     if (child->key[strspn(child->key, "0123456789")] == '\0') /* the rest of 0,05 */
-        return bad_key(r, child, NULL, "write decimals with a point: 0.05, not 0,05", "unknown key '%.80s'", child->key);
+        return bad_key(r, child, NULL, "write decimals with a point: 0.05, not 0,05", "unknown key '%.80s'",
+                       child->key);
     return bad_name(r, child, true, "key", key_name, table);
 }
 
