@@ -46,8 +46,7 @@ def all_decks(root=ROOT):
 
 
 def couplings(deck):
-    found = re.search(r"^runs_as: \[(.*)\]", deck.read_text(encoding="utf-8"), re.MULTILINE)
-    return [name.strip() for name in found.group(1).split(",")] if found else [""]
+    return records_of.couplings_of(deck.read_text(encoding="utf-8"))
 
 
 def least_time():

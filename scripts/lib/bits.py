@@ -105,16 +105,16 @@ def words_of(commands, decks):
 
 
 def couplings_of(deck):
-    """The couplings that a deck's text names; all where it names none."""
+    """The couplings that a deck's text names; [""], its own one, where it names none."""
     found = re.search(r"^runs_as: *\[(.*)\]", deck, re.MULTILINE)
-    return {name.strip() for name in found.group(1).split(",")} if found else {"mpm", "ice", "ice-mpm"}
+    return [name.strip() for name in found.group(1).split(",")] if found else [""]
 
 
 def needed(rows, commands, decks, also):
     """Those keys of rows that a page hangs on, by its commands, its decks {name: text} and other files: its decks as they are, every recorded setting of a key that it
     sets in a coupling of one of its decks, every recorded use of a command that it uses, the tests whose figures it shows."""
     words = words_of(commands, decks.values())
-    couplings = set().union({""}, *map(couplings_of, decks.values()))
+    couplings = {name for text in decks.values() for name in couplings_of(text)}
     used = set(re.findall(r"^ *floe (\w+)", commands, re.MULTILINE)) - {"run"}
     preset = re.search(r"\bmethod=", commands)
     for key in sorted(rows):
@@ -126,7 +126,7 @@ def needed(rows, commands, decks, also):
         elif what == "run" and not settings:
             if deck in decks:
                 yield key
-        elif coupling not in couplings:
+        elif coupling and not couplings & {coupling, ""}:
             continue
         elif what != "run":
             if what in used:
