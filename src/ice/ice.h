@@ -45,7 +45,7 @@ enum {
  * step before the stages that read it. */
 typedef struct ice_embedded_boundary {
     int enclosed;             /* material inside, a different one for each membrane; beside solids the only gas */
-    int within;               /* the line of the membrane about this one; -1: none is. Found by ice_cut_nest */
+    int within;               /* the boundary of the membrane about this one; -1: none is. Found by ice_cut_nest */
     const cut_surface *place; /* CUT_PLACES: at the start, predicted, and at the end; not owned */
     const double *velocity;   /* m/s: of the vertices now, three each; not owned */
     const double *path; /* m: their displacement in the step, over which the force does work, three each; not owned */

@@ -56,4 +56,12 @@ static inline bool eos_is_liquid(const eos *law)
     return law->model && law->model->pressure_floor(law->par) < 0.0;
 }
 
+/* kg/m3, of a pressure (Pa) above the law's floor and a temperature (K). */
+static inline double eos_density(const eos *law, double p, double T)
+{
+    double v, dvdp;
+    law->model->volume(law->par, 1, &p, &T, &v, &dvdp);
+    return 1.0 / v;
+}
+
 #endif

@@ -201,7 +201,7 @@ static bool is_out_of_time(const run *r)
 /* Asked to stop: by a signal, or by the wall clock. */
 static bool run_must_stop(const run *r)
 {
-    return (r->options->stop && *r->options->stop) || is_out_of_time(r);
+    return context_must_stop(r->ctx) || is_out_of_time(r);
 }
 
 static floe_status call_hook(const run *r, step_hook *hook)

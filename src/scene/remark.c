@@ -191,10 +191,9 @@ static bool is_fluid_of_cells(const scene *s, const scene_body *b)
 static double stiffness_over_pressure(const eos *law, double p, double temperature)
 {
     const double T = temperature > 0.0 ? temperature : 300.0;
-    double v, dvdp, e, rho, own, c2;
+    double e, rho, own, c2;
     if (eos_is_liquid(law)) return INFINITY;
-    law->model->volume(law->par, 1, &p, &T, &v, &dvdp);
-    rho = 1.0 / v;
+    rho = eos_density(law, p, T);
     law->model->energy(law->par, 1, &rho, &T, &e);
     law->model->pressure(law->par, 1, &rho, &e, &own, &c2);
     return rho * c2 / own;

@@ -29,12 +29,7 @@ static double height_of(const scene *s, const scene_body *b, int axis)
 
 static double density_of(const scene *s, const scene_body *b)
 {
-    const eos *law = &s->material[b->material].eos;
-    const double p = b->pressure, T = b->temperature;
-    double v, dvdp;
-    if (!isnan(b->density)) return b->density;
-    law->model->volume(law->par, 1, &p, &T, &v, &dvdp);
-    return 1.0 / v;
+    return isnan(b->density) ? eos_density(&s->material[b->material].eos, b->pressure, b->temperature) : b->density;
 }
 
 /* Whether a body stands on a closed side in the direction of a pull along an axis. */

@@ -9,14 +9,6 @@ static bool is_gas(const scene_material *m)
     return m->kind == MATERIAL_FLUID && m->eos.model && !eos_is_liquid(&m->eos);
 }
 
-/* kg/m3, of a pressure and a temperature. */
-static double density_of(const scene_material *m, double p, double T)
-{
-    double v, dvdp;
-    m->eos.model->volume(m->eos.par, 1, &p, &T, &v, &dvdp);
-    return 1.0 / v;
-}
-
 /* A partial vacuum is at hand; one of a thousandth of the pressure about it is rarely meant, and a bar given as 100 is. */
 static void remark_thin_gas(remark_speaker *w, const scene_body *b)
 {
@@ -33,8 +25,8 @@ static void remark_thin_gas(remark_speaker *w, const scene_body *b)
                    b->pressure, pressure, s->ambient_pressure);
         return;
     }
-    const double there = isnan(b->density) ? density_of(m, b->pressure, b->temperature) : b->density;
-    const double here = density_of(about, s->ambient_pressure, s->ambient_temperature);
+    const double there = isnan(b->density) ? eos_density(&m->eos, b->pressure, b->temperature) : b->density;
+    const double here = eos_density(&about->eos, s->ambient_pressure, s->ambient_temperature);
     remark_set_key(w, "bodies", b->name, isnan(b->density) ? "temperature" : "density");
     if (there <= thin * here)
         remark_key(w,

@@ -15,10 +15,9 @@ typedef struct fluid_state {
 static fluid_state state_of(const eos *law, double p, double T)
 {
     fluid_state f = {0};
-    double v, dvdp, e, warm, own, c2;
+    double e, warm, own, c2;
     const double warmer = 1.01 * T;
-    law->model->volume(law->par, 1, &p, &T, &v, &dvdp);
-    f.rho = 1.0 / v;
+    f.rho = eos_density(law, p, T);
     law->model->energy(law->par, 1, &f.rho, &T, &e);
     law->model->energy(law->par, 1, &f.rho, &warmer, &warm);
     f.heat = (warm - e) / (warmer - T);

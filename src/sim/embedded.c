@@ -10,15 +10,15 @@
 /* Of a cell: solids in contact overlap by less, but for those that the nodes do not keep apart. */
 static const double contact_overlap = 0.25;
 
-static floe_status create_line(embedded *t, const mesh *m, int holder, embedded_boundary *line)
+static floe_status create_boundary(embedded *t, const mesh *m, int holder, embedded_boundary *boundary)
 {
-    line->share = 1.0;
-    line->fluid = -1;
+    boundary->share = 1.0;
+    boundary->fluid = -1;
     for (int b = 0; b < t->points->n_bodies; ++b)
-        if (t->points->body[b].scene_body == holder) line->body = b;
+        if (t->points->body[b].scene_body == holder) boundary->body = b;
     for (int k = 0; k < CUT_PLACES; ++k) {
-        TRY(cut_create(&line->place[k], t->ctx, m));
-        line->place[k].overlap = holder < 0 ? contact_overlap : 0.0;
+        TRY(cut_create(&boundary->place[k], t->ctx, m));
+        boundary->place[k].overlap = holder < 0 ? contact_overlap : 0.0;
     }
     return FLOE_OK;
 }
@@ -26,7 +26,7 @@ static floe_status create_line(embedded *t, const mesh *m, int holder, embedded_
 floe_status embedded_create(embedded **out, sim *s)
 {
     int holder
-        [SCENE_MAX_ENCLOSING]; /* surfaces of solids have none, and a line for each fluid, or one for all that share cells */
+        [SCENE_MAX_ENCLOSING]; /* surfaces of solids have none, and a boundary for each fluid, or one for all that share cells */
     const int n = scene_enclosing_bodies(s->scene, holder);
     TRY(interface_check(s->scene, &s->mesh));
     TRY(memory_new(s->ctx, out, 1, sizeof **out));
@@ -40,7 +40,7 @@ floe_status embedded_create(embedded **out, sim *s)
     /* stages that some step may need are planned */
     embedded_use_wall_response(t, n == 0 && (lightest_moved_solid(s->scene) >= 0 || s->ice->implicit));
     for (int l = 0; l < t->n_boundaries; ++l) {
-        TRY(create_line(t, &s->mesh, n > 0 ? holder[l] : -1, &t->boundary[l]));
+        TRY(create_boundary(t, &s->mesh, n > 0 ? holder[l] : -1, &t->boundary[l]));
         if (n == 0) t->boundary[l].fluid = s->ice->material[l].scene_material;
     }
     return FLOE_OK;
@@ -51,11 +51,11 @@ void embedded_destroy(embedded **t)
     if (!t || !*t) return;
     context *ctx = (*t)->ctx;
     for (int l = 0; l < (*t)->n_boundaries; ++l) {
-        embedded_boundary *line = &(*t)->boundary[l];
-        for (int k = 0; k < CUT_PLACES; ++k) cut_destroy(&line->place[k]);
-        memory_free(ctx, &line->velocity);
-        memory_free(ctx, &line->path);
-        memory_free(ctx, &line->force);
+        embedded_boundary *boundary = &(*t)->boundary[l];
+        for (int k = 0; k < CUT_PLACES; ++k) cut_destroy(&boundary->place[k]);
+        memory_free(ctx, &boundary->velocity);
+        memory_free(ctx, &boundary->path);
+        memory_free(ctx, &boundary->force);
     }
     wall_response_free(&(*t)->walls);
     memory_free(ctx, t);
@@ -67,13 +67,13 @@ void embedded_use_wall_response(embedded *t, bool implicit)
     mpm_boundary_responds(t->points, t->gases->walls);
 }
 
-static floe_status reserve_vertices(const embedded *t, embedded_boundary *line, int vertices)
+static floe_status reserve_vertices(const embedded *t, embedded_boundary *boundary, int vertices)
 {
-    if (vertices <= line->reserved) return FLOE_OK;
-    TRY(memory_resize(t->ctx, &line->velocity, 3 * (size_t)vertices, sizeof(double)));
-    TRY(memory_resize(t->ctx, &line->path, 3 * (size_t)vertices, sizeof(double)));
-    TRY(memory_resize(t->ctx, &line->force, 3 * (size_t)vertices, sizeof(double)));
-    line->reserved = vertices;
+    if (vertices <= boundary->reserved) return FLOE_OK;
+    TRY(memory_resize(t->ctx, &boundary->velocity, 3 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &boundary->path, 3 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &boundary->force, 3 * (size_t)vertices, sizeof(double)));
+    boundary->reserved = vertices;
     return FLOE_OK;
 }
 
@@ -88,10 +88,10 @@ static void tell_remedy(context *ctx)
 }
 
 /* The message for a boundary that cannot be followed says what it is: a membrane, or the surface of the solids. */
-static floe_status tell_of_line(const embedded *t, const embedded_boundary *line, floe_status status)
+static floe_status tell_of_boundary(const embedded *t, const embedded_boundary *boundary, floe_status status)
 {
     const scene *s = t->points->scene;
-    const scene_body *body = &s->body[t->points->body[line->body].scene_body];
+    const scene_body *body = &s->body[t->points->body[boundary->body].scene_body];
     const bool holds = body->membrane.present && body->membrane.encloses >= 0;
     if (status == FLOE_OK) return status;
     if (holds) return fail_under(t->ctx, status, KEY("bodies", body->name, "membrane"));
@@ -99,48 +99,47 @@ static floe_status tell_of_line(const embedded *t, const embedded_boundary *line
     return fail_under(t->ctx, status, KEY("method", "interface"));
 }
 
-/* Where a line is, or will be. */
-static floe_status find_place(const embedded *t, const embedded_boundary *line, bool next, cut_surface *out)
+/* Where a boundary is, or will be. */
+static floe_status find_place(const embedded *t, const embedded_boundary *boundary, bool next, cut_surface *out)
 {
-    if (line->fluid >= 0)
-        TRY(mpm_boundary_beside(t->points, t->points->scene->fluids_share ? -1 : line->fluid, next, out));
+    if (boundary->fluid >= 0)
+        TRY(mpm_boundary_beside(t->points, t->points->scene->fluids_share ? -1 : boundary->fluid, next, out));
     else
-        TRY(mpm_boundary_vertices(t->points, line->body, next, out));
-    return tell_of_line(t, line, cut_find(out));
+        TRY(mpm_boundary_vertices(t->points, boundary->body, next, out));
+    return tell_of_boundary(t, boundary, cut_find(out));
 }
 
-/* A line as the gases see it: what it encloses stays, the rest is of this step. */
+/* A boundary as the gases see it: what it encloses stays, the rest is of this step. */
 static ice_embedded_boundary *renew_boundary(const embedded *t, int l)
 {
-    ice_embedded_boundary *boundary = &t->gases->embedded.boundary[l];
-    *boundary = (ice_embedded_boundary){
-        .enclosed = boundary->enclosed, .within = boundary->within, .place = t->boundary[l].place};
-    return boundary;
+    ice_embedded_boundary *seen = &t->gases->embedded.boundary[l];
+    *seen = (ice_embedded_boundary){.enclosed = seen->enclosed, .within = seen->within, .place = t->boundary[l].place};
+    return seen;
 }
 
-static floe_status find_line_now(embedded *t, embedded_boundary *line)
+static floe_status find_boundary_now(embedded *t, embedded_boundary *boundary)
 {
-    cut_surface *now = &line->place[CUT_NOW];
-    TRY(find_place(t, line, false, now));
-    TRY(reserve_vertices(t, line, now->n_vertices));
-    mpm_boundary_velocity(t->points, line->body, now, line->velocity);
+    cut_surface *now = &boundary->place[CUT_NOW];
+    TRY(find_place(t, boundary, false, now));
+    TRY(reserve_vertices(t, boundary, now->n_vertices));
+    mpm_boundary_velocity(t->points, boundary->body, now, boundary->velocity);
     for (int k = 0; k < ICE_CUT_PREDICTED; ++k)
-        TRY(tell_of_line(
-            t, line,
-            cut_ahead(now, line->velocity, (k + 0.5) / ICE_CUT_PREDICTED * t->gases->dt, &line->place[CUT_MEAN + k])));
+        TRY(tell_of_boundary(t, boundary,
+                             cut_ahead(now, boundary->velocity, (k + 0.5) / ICE_CUT_PREDICTED * t->gases->dt,
+                                       &boundary->place[CUT_MEAN + k])));
     return FLOE_OK;
 }
 
-/* The lines where they are: what they cut, and how fast they move. */
+/* The boundaries where they are: what they cut, and how fast they move. */
 static floe_status embedded_find_now(embedded *t)
 {
     for (int l = 0; l < t->n_boundaries; ++l) {
-        embedded_boundary *line = &t->boundary[l];
-        TRY(find_line_now(t, line));
-        ice_embedded_boundary *boundary = renew_boundary(t, l);
-        boundary->velocity = line->velocity;
-        boundary->path = line->path;
-        boundary->force = line->force;
+        embedded_boundary *boundary = &t->boundary[l];
+        TRY(find_boundary_now(t, boundary));
+        ice_embedded_boundary *seen = renew_boundary(t, l);
+        seen->velocity = boundary->velocity;
+        seen->path = boundary->path;
+        seen->force = boundary->force;
     }
     if (!t->nested) ice_cut_nest(t->gases);
     t->nested = true;
@@ -151,8 +150,8 @@ static floe_status embedded_find_now(embedded *t)
 floe_status embedded_find_still(embedded *t)
 {
     for (int l = 0; l < t->n_boundaries; ++l) {
-        embedded_boundary *line = &t->boundary[l];
-        TRY(find_place(t, line, false, &line->place[CUT_NOW]));
+        embedded_boundary *boundary = &t->boundary[l];
+        TRY(find_place(t, boundary, false, &boundary->place[CUT_NOW]));
         (void)renew_boundary(t, l);
     }
     return ice_cut_check(t->gases, CUT_NOW);
@@ -177,14 +176,14 @@ static floe_status embedded_push_points(embedded *t)
 static floe_status embedded_find_next(embedded *t)
 {
     for (int l = 0; l < t->n_boundaries; ++l) {
-        embedded_boundary *line = &t->boundary[l];
-        mpm_boundary_displacement(t->points, line->body, &line->place[CUT_NOW], line->path);
-        t->gases->embedded.boundary[l].heat = line->share * mpm_boundary_lost_energy(t->points);
+        embedded_boundary *boundary = &t->boundary[l];
+        mpm_boundary_displacement(t->points, boundary->body, &boundary->place[CUT_NOW], boundary->path);
+        t->gases->embedded.boundary[l].heat = boundary->share * mpm_boundary_lost_energy(t->points);
     }
     return embedded_find_moved(t);
 }
 
-/* Which line's gas takes up how much of what the points lose. */
+/* Which boundary's gas takes up how much of what the points lose. */
 static floe_status share_losses(embedded *t)
 {
     mpm_totals sum;
@@ -198,7 +197,7 @@ static floe_status share_losses(embedded *t)
 }
 
 /* What would only be met as a step that goes bad is said at the start. */
-static floe_status check_lines(const sim *s, floe_status found)
+static floe_status check_boundaries(const sim *s, floe_status found)
 {
     const int holder = scene_enclosing_body(s->scene);
     const char *const *key = holder < 0 ? KEY("method", "interface") : KEY("bodies", s->scene->body[holder].name);
@@ -209,7 +208,7 @@ static floe_status check_lines(const sim *s, floe_status found)
 floe_status embedded_initialise(sim *s)
 {
     TRY(share_losses(s->embedded));
-    TRY(check_lines(s, embedded_find_now(s->embedded)));
+    TRY(check_boundaries(s, embedded_find_now(s->embedded)));
     return ice_cut_initialise(s->ice);
 }
 

@@ -103,6 +103,13 @@ static void set_step(sim *s, double dt)
     }
 }
 
+static void give_back(sim *s)
+{
+    if (s->mpm) mpm_rollback_step(s->mpm);
+    if (s->ice) ice_rollback_step(s->ice);
+    ledger_discard(&s->ledger);
+}
+
 /* Takes the step, cutting it while it is rejected; state is written to next arrays, or kept, so that rejection is forgetting. */
 static floe_status take_step(sim *s, double *dt, const char **reason)
 {
@@ -111,11 +118,9 @@ static floe_status take_step(sim *s, double *dt, const char **reason)
     for (int tries = 0; tries <= MAX_REJECTIONS; ++tries) {
         set_step(s, *dt);
         const floe_status status = sim_run_stages(s);
-        if (status != FLOE_OK && s->mpm) mpm_rollback_step(s->mpm);
-        if (status != FLOE_RETRY && status != FLOE_INTERRUPTED) return status;
-        ledger_discard(&s->ledger);
-        if (s->ice) ice_rollback_step(s->ice);
-        if (status == FLOE_INTERRUPTED) return status;
+        if (status == FLOE_OK) return status;
+        give_back(s);
+        if (status != FLOE_RETRY) return status;
         s->rejected++;
         (void)snprintf(s->cause, sizeof s->cause, "%s", context_message(s->ctx));
         context_log(s->ctx, LOG_DETAIL, "step %ld at t = %.6g%s rejected with dt = %.3g%s: %s", s->steps + 1, s->time,

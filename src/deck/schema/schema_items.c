@@ -171,8 +171,7 @@ static const key_spec body_keys[] = {
     {"pressure", KEY_NUMBER, "Pa", AT(scene_body, pressure), .varies = VARIES_BY_PLACE, .applies = body_is_fluid,
      .belongs = fluid_bodies,
      .doc = "absolute, at the start, to which gravity adds, on cells, the weight above unless it is a formula; a fluid "
-            "needs two "
-            "of pressure, temperature, density"},
+            "needs two of pressure, temperature, density"},
     {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_body, temperature), .varies = VARIES_BY_PLACE,
      .otherwise = "solids: the ambient temperature, or 300",
      .doc = "at the start; of solids used with heat exchange, conduction, plastic heat or expansion"},

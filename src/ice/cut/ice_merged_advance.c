@@ -59,6 +59,7 @@ void ice_merged_advance(const ice *s, const ice_region *g)
         const ice_view *v = &s->cut_cells->view[id];
         for (int axis = 0; axis < v->dim; ++axis) {
             const ice_rows q = ice_rows_of(v->b, axis, 0);
+#pragma omp parallel for schedule(static)
             for (int row = 0; row < q.n; ++row)
                 for (int i = 0; i < v->b->n[0] + (axis == 0); ++i)
                     advance_face(s, p, v, axis, (const int[]){i, ice_row_j(q, row), ice_row_k(q, row)});

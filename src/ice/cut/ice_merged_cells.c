@@ -137,6 +137,13 @@ void ice_clear_merged(ice_merged_cells *p)
     if (p->fluid) memset(p->fluid, 0, (size_t)(p->count * p->region->n) * FLUID_SUMS * sizeof *p->fluid);
 }
 
+void ice_sum_open_volumes(const ice *s, ice_merged_cells *p)
+{
+    for (int k = 0; k < p->n; ++k)
+        p->sum[(size_t)p->member[k].merged * MERGED_SUMS + MERGED_VOLUME] +=
+            p->member[k].open * mesh_cell_volume(s->mesh, p->member[k].cell[0]);
+}
+
 static floe_status reserve_members(ice *s, ice_merged_cells *p)
 {
     if ((size_t)p->n < p->reserved) return FLOE_OK;

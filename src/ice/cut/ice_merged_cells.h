@@ -171,6 +171,8 @@ void ice_cut_system_destroy(context *ctx, struct ice_cut_system **w);
 
 /* Sets all sums to zero. */
 void ice_clear_merged(ice_merged_cells *p);
+/* Adds the open volumes (m3) of their members to them. */
+void ice_sum_open_volumes(const ice *s, ice_merged_cells *p);
 /* Sign of a boundary's area vectors for a region: +1 for the one that it encloses, -1 for the one about it; 0: it does not
  * bound the region. */
 double ice_outward(const ice *s, int region, int line);

@@ -260,9 +260,7 @@ static void take_lead(const ice *s, const ice_member *m, const ice_member *lead)
 
 void ice_advance_fluids(const ice *s, ice_merged_cells *p)
 {
-    for (int k = 0; k < p->n; ++k)
-        p->sum[(size_t)p->member[k].merged * MERGED_SUMS + MERGED_VOLUME] +=
-            p->member[k].open * mesh_cell_volume(s->mesh, p->member[k].cell[0]);
+    ice_sum_open_volumes(s, p);
     for (int merged = 0; merged < p->count; ++merged)
         if (p->sum[(size_t)merged * MERGED_SUMS + MERGED_MASS] > 0.0) advance_lead(s, p, merged);
     for (int k = 0; k < p->n; ++k) {

@@ -107,10 +107,10 @@ void ice_merged_centring(const ice *s, const ice_region *g)
     ice_merged_cells *p = ice_merged_cells_of(s, g);
     const bool stick = ice_covered_stick(s, g);
     ice_cut_views(s, g);
-    ice_clear_merged(p);
-    for (int k = 0; k < p->n; ++k)
-        p->sum[(size_t)p->member[k].merged * MERGED_SUMS + MERGED_VOLUME] +=
-            p->member[k].open * mesh_cell_volume(s->mesh, p->member[k].cell[0]);
+    if (stick) {
+        ice_clear_merged(p);
+        ice_sum_open_volumes(s, p);
+    }
     for (int k = 0; k < p->n; ++k)
         if (!(stick && is_one_cell(s, p, p->member[k].merged)))
             ice_member_view(s, &p->member[k])->shock[p->member[k].at] = 1.0;
