@@ -40,13 +40,14 @@ static floe_status shape_make_ready(scene *s, const model_entry *entry, void *pa
     const shape of = {m, par};
     const shape_memory memory = {s->ctx, allocate_for_shape, s};
     _Static_assert((int)MODEL_WHY == (int)SHAPE_WHY, "what is wrong with a shape is what is wrong with a model");
-    if (m->min_dim > 0 && dim < m->min_dim)
-        (void)snprintf(why, MODEL_WHY, "does not exist in a scene of so few dimensions");
-    else if (m->max_dim > 0 && dim > m->max_dim)
-        (void)snprintf(why, MODEL_WHY, "does not exist in a scene of so many dimensions");
-    else
-        return shape_prepare(&of, dim, &memory, why);
-    return FLOE_OK;
+    return shape_prepare(&of, dim, &memory, why);
+}
+
+static const char *shape_misfit(const model_entry *entry, int dim)
+{
+    const shape_model *m = entry->model;
+    if (dim < m->min_dim) return m->instead_below;
+    return dim > m->max_dim ? m->instead_above : NULL;
 }
 
 const model_family family_shape = {.noun = "shape",
@@ -54,7 +55,8 @@ const model_family family_shape = {.noun = "shape",
                                    .store = shape_store,
                                    .fetch = shape_fetch,
                                    .field_size = sizeof(shape),
-                                   .prepare = shape_make_ready};
+                                   .prepare = shape_make_ready,
+                                   .misfit = shape_misfit};
 
 static model_entry law_entry(const solid_model *m)
 {

@@ -67,6 +67,7 @@ bool number_split(const char *text, double *x, const char **unit, char *why)
     const size_t length = number_length(text);
     if (length == 0) return refuse_number(why, text, "is not a number");
     const char *rest = text + length;
+    if (*rest == ',') return refuse_number(why, text, "has a comma: write decimals with a point, 0.05, not 0,05");
     if (*rest && *rest != ' ') {
         const bool letter = isalpha((unsigned char)*rest) && strlen(rest) < 12;
         return refuse_number(why, text, letter ? "has no space between number and unit" : "goes on after the number");

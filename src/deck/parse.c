@@ -145,6 +145,38 @@ static floe_status take_event(parser *p, struct fy_event *event)
     return starts_value(event) ? parse_value(p, event, at) : FLOE_OK;
 }
 
+typedef struct syntax_remedy {
+    const char *text, *remedy; /* libfyaml's words, and what to do */
+} syntax_remedy;
+
+#define FLOW_REMEDY                                                                                           \
+    "separate entries by commas, close each { and [, and give a map within a map braces of its own: `upper: " \
+    "{outlet: {pressure: 1 atm}}`"
+#define INDENT_REMEDY "keys of one map begin in the same column"
+
+static const char *syntax_remedy_of(const char *text)
+{
+    static const syntax_remedy known[] = {
+        {"tab character may not be used as indentation", "indent with spaces"},
+        {"cannot use tab for indentation of block entry", "indent with spaces"},
+        {"invalid multiline plain key",
+         "write `key: value`, with a colon and a space behind the key; keys of one map begin in the same column"},
+        {"missing comma in flow mapping", FLOW_REMEDY},
+        {"missing comma in flow sequence", FLOW_REMEDY},
+        {"flow mapping without a closing bracket", FLOW_REMEDY},
+        {"flow sequence without a closing bracket", FLOW_REMEDY},
+        {"invalid extra closing", "remove it, or open it before"},
+        {"mismatched flow mapping end", "a [ before this } is not closed"},
+        {"mismatched flow sequence end", "a { before this ] is not closed"},
+        {"invalid indentation in mapping", INDENT_REMEDY},
+        {"wrongly indented flow mapping", INDENT_REMEDY},
+        {"did not find expected key", INDENT_REMEDY},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strstr(text, known[i].text)) return known[i].remedy;
+    return "";
+}
+
 /* libfyaml's words for what is wrong, at its place; the first error is the cause, later ones follow from it. */
 static floe_status take_syntax_error(parser *p)
 {
@@ -154,7 +186,8 @@ static floe_status take_syntax_error(parser *p)
     if (!found) return refuse_syntax(p, at, "the text is not YAML", "");
     if (found->line > 0) at.line = found->line;
     if (found->column > 0) at.column = found->column;
-    return refuse_syntax(p, at, found->msg ? found->msg : "the text is not YAML", "");
+    const char *text = found->msg ? found->msg : "the text is not YAML";
+    return refuse_syntax(p, at, text, syntax_remedy_of(text));
 }
 
 static floe_status take_events(parser *p)

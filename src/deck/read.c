@@ -1,4 +1,5 @@
 /* Reading by table: unknown, duplicate and missing keys, defaults, and the way from a key to its reader. */
+#include "deck/other_names.h"
 #include "deck/schema/schema.h"
 
 #include "base/text.h"
@@ -46,19 +47,55 @@ floe_status bad_key(reader *r, deck_node *node, const char *expected, const char
     return status;
 }
 
+static floe_status add_error_at(reader *r, deck_node *node, bool at_key, const char *expected, const char *hint,
+                                const char *format, ...) FLOE_PRINTF(6, 7);
+
+static floe_status add_error_at(reader *r, deck_node *node, bool at_key, const char *expected, const char *hint,
+                                const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const floe_status status =
+        enter_error(r, node, at_key ? node->key_at : node->at, expected, hint, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
 floe_status bad_name(reader *r, deck_node *node, bool at_key, const char *noun,
                      const char *(*candidate)(const void *user, size_t i), const void *user)
 {
     char all[WORDS] = "";
     for (size_t i = 0; i <= NAMES_SHOWN && candidate(user, i); i++)
         text_add(all, sizeof all, "%s%s", i > 0 ? ", " : "", i < NAMES_SHOWN ? candidate(user, i) : "...");
-    const char *name = at_key ? node->key : node->text;
-    const char *nearest = nearest_name(name, candidate, user);
+    const char *name = at_key ? node->key : node->text, *remedy = NULL;
+    const char *nearest = other_name(name, candidate, user, &remedy);
+    if (!nearest) nearest = nearest_name(name, candidate, user);
     const char *start = nearest ? " (did you mean '" : "", *end = nearest ? "'?)" : "";
     if (!nearest) nearest = "";
     const char *expected = all[0] ? all : "none is defined in this deck, or in this build of floe";
-    if (at_key) return bad_key(r, node, expected, NULL, "unknown %s '%.80s'%s%s%s", noun, name, start, nearest, end);
-    return bad(r, node, expected, "unknown %s '%.80s'%s%s%s", noun, name, start, nearest, end);
+    return add_error_at(r, node, at_key, expected, remedy, "unknown %s '%.80s'%s%s%s", noun, name, start, nearest, end);
+}
+
+/* What a key that is none shows of a slip in writing: the rest of 0,05 or of 1,5 ms, and a colon that YAML takes for a part of a word. */
+static const char *slip_in_key(const char *key)
+{
+    const char *rest = key + strspn(key, "0123456789");
+    if (rest != key && (*rest == '\0' || *rest == ' ')) return "write decimals with a point: 0.05, not 0,05";
+    if (strpbrk(key, ":=")) return "write `key: value`, with a space behind the colon";
+    return NULL;
+}
+
+floe_status bad_unknown_key(reader *r, deck_node *node, const char *(*candidate)(const void *user, size_t i),
+                            const void *user)
+{
+    char place[WORDS];
+    const char *remedy;
+    const char *slip = slip_in_key(node->key);
+    if (slip) return bad_key(r, node, NULL, slip, "unknown key '%.80s'", node->key);
+    place_of_key(node->key, place, sizeof place);
+    if (!place[0] || other_name(node->key, candidate, user, &remedy))
+        return bad_name(r, node, true, "key", candidate, user);
+    return bad_key(r, node, NULL, place, "unknown key '%.80s'", node->key);
 }
 
 static const char *key_name(const void *user, size_t i)
@@ -83,10 +120,7 @@ static floe_status refuse_key(reader *r, const key_table *table, deck_node *chil
         if (key->formerly && strcmp(key->formerly, child->key) == 0)
             return bad_key(r, child, key->key, NULL, "'%s' is now called '%s'", key->formerly, key->key);
     }
-    if (child->key[strspn(child->key, "0123456789")] == '\0') /* the rest of 0,05 */
-        return bad_key(r, child, NULL, "write decimals with a point: 0.05, not 0,05", "unknown key '%.80s'",
-                       child->key);
-    return bad_name(r, child, true, "key", key_name, table);
+    return bad_unknown_key(r, child, key_name, table);
 }
 
 /* Unknown keys, those that were to be taken away among them, and second occurrences. */

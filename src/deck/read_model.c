@@ -85,7 +85,7 @@ static floe_status check_params(reader *r, const model_entry *entry, deck_node *
             TRY(bad_key(r, child, NULL, "remove one of the two", "duplicate key '%.80s' (first at line %d, column %d)",
                         child->key, first->key_at.line, first->key_at.column));
         } else if (!has_param(entry, child->key)) {
-            TRY(bad_name(r, child, true, "key", param_name, entry));
+            TRY(bad_unknown_key(r, child, param_name, entry));
         }
     }
     return FLOE_OK;
@@ -148,11 +148,22 @@ static floe_status check_model(reader *r, const model_family *family, const mode
     return bad_key(r, named, NULL, NULL, "%s '%s': %s", family->noun, entry->name, wrong);
 }
 
+/* A model that a space of these dimensions does not have: its parameters are not looked at, for they would be of another space. */
+static floe_status refuse_misfit(reader *r, const model_family *family, const model_entry *entry, deck_node *named)
+{
+    const char *why = family->misfit ? family->misfit(entry, reader_dim(r)) : NULL;
+    if (!why) return FLOE_OK;
+    if (is_bare(named)) return bad(r, named, NULL, "%s '%s': %s", family->noun, entry->name, why);
+    return bad_key(r, named, NULL, NULL, "%s '%s': %s", family->noun, entry->name, why);
+}
+
 static floe_status read_params(reader *r, const model_family *family, const model_entry *entry, deck_node *map,
                                deck_node *named, void *field)
 {
     char *par;
     const size_t errors = r->errors->count;
+    TRY(refuse_misfit(r, family, entry, named));
+    if (errors != r->errors->count) return FLOE_OK;
     TRY(scene_allocate(r->scene, &par, entry->param_size > 0 ? entry->param_size : 1));
     if (map && !stands_alone(entry)) TRY(check_params(r, entry, map));
     for (size_t i = 0; i < entry->n_params; i++) {

@@ -155,6 +155,15 @@ static floe_status read_whole_key(reader *r, const key_spec *key, deck_node *nod
     return FLOE_OK;
 }
 
+/* [0,3, 0,3] is a list of four. */
+static floe_status bad_doubled_list(reader *r, const key_spec *key, deck_node *node)
+{
+    char expected[WORDS];
+    describe_expected(key, reader_dim(r), expected, sizeof expected);
+    text_add(expected, sizeof expected, "; with decimals written with a point: 0.05, not 0,05");
+    return bad_form(r, key, node, expected);
+}
+
 /* A list of `n`, or one value for every axis when `spread` (and always where n is 1). */
 static floe_status read_numbers(reader *r, const key_spec *key, deck_node *node, size_t n, bool spread, double *field)
 {
@@ -163,6 +172,7 @@ static floe_status read_numbers(reader *r, const key_spec *key, deck_node *node,
         for (size_t i = 1; i < n; i++) field[i] = field[0];
         return FLOE_OK;
     }
+    if (node->kind == NODE_LIST && node->n == 2 * n) return bad_doubled_list(r, key, node);
     if (node->kind != NODE_LIST || node->n != n) return bad_kind(r, key, node);
     size_t i = 0;
     for (deck_node *item = node->first; item; item = item->next) TRY(read_number(r, key, item, &field[i++]));

@@ -34,6 +34,24 @@ static bool open_book(char *why)
     return book.system != NULL;
 }
 
+typedef struct mistaken_unit {
+    const char *written, *meant;
+} mistaken_unit;
+
+/* " (did you mean 'MPa'?)": names that are another unit, or none. */
+static void add_meant_unit(const char *written, char *why)
+{
+    static const mistaken_unit known[] = {
+        {"C", "degC"},  {"F", "degF"},  {"Celsius", "degC"}, {"Kelvin", "K"}, {"k", "K"},     {"mpa", "MPa"},
+        {"Mpa", "MPa"}, {"MPA", "MPa"}, {"kpa", "kPa"},      {"Kpa", "kPa"},  {"KPa", "kPa"}, {"KPA", "kPa"},
+        {"gpa", "GPa"}, {"Gpa", "GPa"}, {"GPA", "GPa"},      {"pa", "Pa"},    {"PA", "Pa"},   {"Bar", "bar"},
+        {"BAR", "bar"}, {"MM", "mm"},   {"Mm", "mm"},        {"S", "s"},      {"mS", "ms"},   {"MS", "ms"},
+        {"Ms", "ms"},   {"M", "m"},     {"l/s", "litre/s"},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strcmp(known[i].written, written) == 0) text_add(why, WHY_SIZE, " (did you mean '%s'?)", known[i].meant);
+}
+
 static bool convert_unit(const ut_unit *from_unit, const ut_unit *to_unit, double *x, const char *from, const char *to,
                          char *why)
 {
@@ -41,6 +59,7 @@ static bool convert_unit(const ut_unit *from_unit, const ut_unit *to_unit, doubl
         const bool none = strcmp(to, "1") == 0;
         snprintf(why, WHY_SIZE, "unit '%.40s' does not fit: %s%s", from,
                  none ? "the number has no dimension" : "it does not convert to ", none ? "" : to);
+        add_meant_unit(from, why);
         return false;
     }
     cv_converter *converter = ut_get_converter((ut_unit *)from_unit, (ut_unit *)to_unit);
@@ -64,6 +83,7 @@ static bool convert_named(double *x, const char *from, const char *to, char *why
     bool ok = false;
     if (!from_unit) {
         snprintf(why, WHY_SIZE, "unit '%.40s' is not known", from);
+        add_meant_unit(from, why);
     } else if (!to_unit) {
         snprintf(why, WHY_SIZE, "floe's own unit '%.40s' is not known: please report it", to);
     } else {

@@ -28,6 +28,8 @@ typedef struct shape_model {
     const param_spec *params;
     size_t n_params;
     int min_dim, max_dim;
+    /* What to take in fewer dimensions, and in more; NULL where it exists in all of 1 to 3. */
+    const char *instead_below, *instead_above;
     /* Signed distance-like level (m): negative inside, zero on the surface, |grad| about 1 near it; never wrong in sign,
      * and never larger in size than the distance from the surface (boxes are taken as all in or all out by it). */
     double (*level)(const void *par, int dim, const double x[3]);

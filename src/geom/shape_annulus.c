@@ -47,6 +47,7 @@ const shape_model shape_annulus = {
     .n_params = sizeof annulus_params / sizeof *annulus_params,
     .min_dim = 2,
     .max_dim = 3,
+    .instead_below = "it is of scenes of two and three dimensions; in one take `box`",
     .level = annulus_level,
     .bounds = annulus_bounds,
     .check = annulus_check,

@@ -78,6 +78,8 @@ const shape_model shape_cylinder = {
     .n_params = sizeof cylinder_params / sizeof *cylinder_params,
     .min_dim = 3,
     .max_dim = 3,
+    .instead_below = "it is of scenes in space; in the plane `ball` is its section and `annulus` that of a tube, about "
+                     "an axis take `box`",
     .level = cylinder_level,
     .bounds = cylinder_bounds,
     .check = cylinder_check,

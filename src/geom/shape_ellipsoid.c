@@ -92,6 +92,7 @@ const shape_model shape_ellipsoid = {
     .n_params = sizeof ellipsoid_params / sizeof *ellipsoid_params,
     .min_dim = 2,
     .max_dim = 3,
+    .instead_below = "it is of scenes of two and three dimensions; in one take `ball` or `box`",
     .level = ellipsoid_level,
     .bounds = ellipsoid_bounds,
     .check = ellipsoid_check,

@@ -68,6 +68,7 @@ const shape_model shape_extruded = {
     .n_params = sizeof extruded_params / sizeof *extruded_params,
     .min_dim = 3,
     .max_dim = 3,
+    .instead_below = "it is of scenes in space; in the plane take its section, `of`, alone",
     .level = extruded_level,
     .bounds = extruded_bounds,
     .fills = extruded_fills,

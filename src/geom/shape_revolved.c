@@ -74,6 +74,8 @@ const shape_model shape_revolved = {
     .n_params = sizeof revolved_params / sizeof *revolved_params,
     .min_dim = 3,
     .max_dim = 3,
+    .instead_below =
+        "it is of scenes in space; about an axis (domain.geometry: axisymmetric) take its section, `of`, alone",
     .level = revolved_level,
     .bounds = revolved_bounds,
     .check = revolved_check,

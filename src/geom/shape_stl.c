@@ -69,6 +69,7 @@ const shape_model shape_stl = {
     .n_params = sizeof stl_params / sizeof *stl_params,
     .min_dim = 3,
     .max_dim = 3,
+    .instead_below = "it is of scenes in space; in the plane take `polygon`",
     .level = stl_level,
     .bounds = stl_bounds,
     .check = stl_check,

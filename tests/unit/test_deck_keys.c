@@ -357,9 +357,12 @@ static void walk_family(walk *w, const model_family *family)
             spoil_type(w, &key[0]);
             continue;
         }
+        const bool in_space = w->in_space;
+        if (family->misfit && family->misfit(&entry, in_space ? 3 : 2)) w->in_space = !in_space;
         descend(w, entry.name);
         walk_table(w, &(key_table){key, entry.n_params});
         ascend(w);
+        w->in_space = in_space;
     }
 }
 

@@ -82,6 +82,8 @@ typedef struct model_family {
     bool (*fetch)(const void *field, const char **name, const void **par); /* false: none is set */
     /* Refuses impossible parameters: NULL if fine. May be NULL. */
     const char *(*check)(const model_entry *entry, const void *par, int dim);
+    /* Why there is no such model in a space of these dimensions, NULL: there is. NULL: all are in all. */
+    const char *(*misfit)(const model_entry *entry, int dim);
     /* The entry that is set, where the registry does not hold all of them. NULL: it is found by its name. */
     bool (*chosen)(const void *field, model_entry *out);
     size_t field_size; /* where models are parameters of models */
@@ -229,6 +231,9 @@ void describe_expected(const key_spec *key, int dim, char *text, size_t size);
 /* An unknown name at a node, with the nearest known one and all of them as what was expected. */
 floe_status bad_name(reader *r, deck_node *node, bool at_key, const char *noun,
                      const char *(*candidate)(const void *user, size_t i), const void *user);
+/* An unknown key, with a hint where the slip shows: a decimal comma, a colon without a space, or a key of another place. */
+floe_status bad_unknown_key(reader *r, deck_node *node, const char *(*candidate)(const void *user, size_t i),
+                            const void *user);
 /* Index of a named material or body, -1 if there is none. */
 int find_material(const scene *s, const char *name);
 int find_body(const scene *s, const char *name);
