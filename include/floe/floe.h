@@ -112,6 +112,8 @@ typedef struct floe_start {
     double step;       /* s, the first one */
     double steps;      /* about how many of its kind the run would need */
     const char *limit; /* what limits the step, in words that stay; NULL if it is not ready */
+    double bytes;      /* that a scene of too many cells would hold; 0: it has fewer, or that is not known */
+    double available;  /* bytes of this machine for it; INFINITY: not known */
 } floe_start;
 /* Does what a run does before its first step, and leaves it at that; warnings about the scene go to the log. FLOE_BAD_INPUT,
  * FLOE_DIVERGED: what a run would end with. */

@@ -32,10 +32,16 @@ static void print_deck(const cli_deck *d, const floe_description *of)
 
 static void print_start(const floe_description *of, const floe_start *start)
 {
+    const double gigabyte = 1e9;
     if (start->ready)
         printf("ready to run: %zu point%s, first step %.3g%s, about %.0f step%s\n", start->points,
                start->points == 1 ? "" : "s", start->step, of->dimensionless ? "" : " s", start->steps,
                nearbyint(start->steps) == 1.0 ? "" : "s");
+    else if (start->bytes > 0.0 && isfinite(start->available))
+        wrapped_printf(stdout,
+                       "not made ready, as it has %.3g cells (%.0e at most): it would hold %.3g GB of the %.3g GB that "
+                       "are available; `floe plan` says of what, and how many steps it takes\n",
+                       start->cells, start->most_cells, start->bytes / gigabyte, start->available / gigabyte);
     else
         wrapped_printf(
             stdout,

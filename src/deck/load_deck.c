@@ -42,6 +42,17 @@ static floe_status make_tree(const deck_source *source, const deck_overrides *se
     return preset_expand(*root, arena, errors);
 }
 
+/* What `auto` becomes, if the mesh is one on which that can be seen; what is wrong with the mesh itself is said by check_scene. */
+static floe_status settle_interface(reader *r)
+{
+    mesh made;
+    const bool sound = mesh_init(&made, r->ctx, &r->scene->mesh) == FLOE_OK;
+    if (!sound) context_clear(r->ctx);
+    if (!sound && r->scene->method.interface == INTERFACE_SHARP) return FLOE_OK;
+    if (sound) TRY(take_refusal(r, interface_check_size(r->scene, &made)));
+    return r->errors->count == 0 ? interface_settle(r->scene) : FLOE_OK;
+}
+
 /* Text to scene; faults of the deck go into `errors`, and the scene is then not to be used. */
 static floe_status resolve_deck(deck_source *source, const deck_overrides *set, scene *s, deck_arena *arena,
                                 error_list *errors)
@@ -56,7 +67,7 @@ static floe_status resolve_deck(deck_source *source, const deck_overrides *set, 
     if (root->kind != NODE_MAP) return FLOE_OK;
     TRY(note_keys(s, root, set));
     TRY(finish_scene(&r));
-    if (errors->count == 0) TRY(interface_settle(s));
+    if (errors->count == 0) TRY(settle_interface(&r));
     return check_scene(&r);
 }
 

@@ -41,8 +41,8 @@ floe_status floe_rehearse(floe_deck *deck, floe_start *start)
     *start = (floe_start){0};
     TRY(begin_use(deck));
     TRY(run_make_ready(deck->scene, &ready, log_warning, deck->floe->ctx));
-    *start =
-        (floe_start){ready.done, ready.cells, RUN_READY_CELLS, ready.points, ready.step, ready.steps, ready.reason};
+    *start = (floe_start){ready.done,  ready.cells,  RUN_READY_CELLS, ready.points,   ready.step,
+                          ready.steps, ready.reason, ready.bytes,     ready.available};
     return FLOE_OK;
 }
 

@@ -8,10 +8,15 @@
 floe_status run_make_ready(scene *s, run_ready *out, remark_sink *say, void *user)
 {
     run_setup setup;
+    memory_need need;
     *out = (run_ready){.cells = memory_cells(&s->mesh)};
     if (out->cells > RUN_READY_CELLS) {
         if (say) scene_remarks(s, say, user);
-        return scene_deck_location(s, scene_refuse_unsupported(s, s->coupling));
+        TRY(scene_deck_location(s, scene_refuse_unsupported(s, s->coupling)));
+        TRY(scene_deck_location(s, memory_refuse(s, &need)));
+        out->bytes = need.bytes;
+        out->available = need.available;
+        return FLOE_OK;
     }
     floe_status status = setup_begin(&setup, s);
     if (status == FLOE_OK) status = sim_predict(setup.sim, &out->step, &out->steps, &out->reason);

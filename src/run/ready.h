@@ -11,6 +11,8 @@ typedef struct run_ready {
     size_t points;      /* of material */
     double step, steps; /* s, and how many of its kind the run would need */
     const char *reason; /* what limits the step */
+    double bytes,
+        available; /* that a run of too many cells would hold, and that this machine has for it; 0: not known */
 } run_ready;
 
 /* Does with a scene what a run does before its first step, unless it has more than RUN_READY_CELLS (setup.h). FLOE_BAD_INPUT, with

@@ -8,6 +8,7 @@
 #include "scene/mass_source.h"
 #include "scene/side_parts.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -478,13 +479,31 @@ static void choose_interface(scene *s, solid_interface which, const char *why)
                    which == INTERFACE_SHARP ? "sharp" : "smeared", why);
 }
 
+/* Whether `auto` and `sharp` look for surfaces in it. */
+static bool is_traced(const scene *s)
+{
+    return s->method.interface != INTERFACE_SMEARED && runs_coupled(s) && count_solids(s) > 0 &&
+           scene_enclosing_body(s) < 0;
+}
+
+floe_status interface_check_size(const scene *s, const mesh *m)
+{
+    double nodes = 1.0;
+    for (int a = 0; a < m->dim; ++a) nodes *= m->n[a] + 1.0;
+    if (nodes < INT_MAX || !is_traced(s)) return FLOE_OK; /* cut cells are numbered by int */
+    return fail_key(s->ctx, KEY("domain", "cell"),
+                    "%g: in %.3g cells the surfaces of solids cannot be traced, in %.2g at most: take a cell of %.2g "
+                    "or more",
+                    s->mesh.cell[0], nodes, (double)INT_MAX, s->mesh.cell[0] * pow(nodes / INT_MAX, 1.0 / m->dim));
+}
+
 static floe_status settle_auto(scene *s)
 {
     mesh m;
     char why[sizeof s->interface_reason - 16];
+    const bool traced = is_traced(s) && count_fluids(s) > 0;
     s->method.interface = INTERFACE_SMEARED;
-    if (!runs_coupled(s) || count_solids(s) == 0 || count_fluids(s) == 0 || scene_enclosing_body(s) >= 0)
-        return FLOE_OK;
+    if (!traced) return FLOE_OK;
     floe_status status = mesh_init(&m, s->ctx, &s->mesh);
     if (status == FLOE_OK) status = find_sharing(s, &m);
     if (status == FLOE_OK) status = check_all(s, &m, OF_AUTO);
@@ -500,7 +519,7 @@ static floe_status settle_auto(scene *s)
 static floe_status settle_sharp(scene *s)
 {
     mesh m;
-    if (!runs_coupled(s) || count_solids(s) == 0 || scene_enclosing_body(s) >= 0) return FLOE_OK;
+    if (!is_traced(s)) return FLOE_OK;
     TRY(mesh_init(&m, s->ctx, &s->mesh));
     return find_sharing(s, &m);
 }

@@ -9,6 +9,8 @@
  * scene.interface_reason says why. A scene without solids beside gas on cells gets smeared, which has no effect there.
  * Other choices stay. Substeps of the points: auto beside a sharp interface, else one. FLOE_NO_MEMORY. */
 floe_status interface_settle(scene *s);
+/* Before it: FLOE_BAD_INPUT where the surfaces of solids would have to be traced on more cells than can be numbered. */
+floe_status interface_check_size(const scene *s, const mesh *m);
 /* Whether the scene's embedded boundaries, membranes around gas or surfaces of solids, are supported. FLOE_BAD_INPUT,
  * with key and remedy. */
 floe_status interface_check(const scene *s, const mesh *m);

@@ -57,6 +57,17 @@ expect 2 "$FLOE" check "$FLOE_SOURCE/inputs/sod.yaml" --set output.interval=1e-3
 has stderr 'too many for a run to meet their times'
 expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/sod.yaml" --set domain.cell=1e-7
 has stdout 'not made ready'
+has stdout 'it would hold'
+# More than this machine holds, and more than surfaces can be traced on: refused as a run refuses it, with the cell to take.
+wall=$FLOE_SOURCE/inputs/foam_wall.yaml
+check_refuses "$FLOE_SOURCE/tests/mistakes/solid.yaml" 'take a cell of' domain.cell=1e-6
+has stderr 'error: --set domain.cell=1e-6: 1e-06: its 1.44e+12 cells need about'
+check_refuses "$wall" 'cannot be traced' domain.cell=1e-6
+has stderr 'or more'
+expect 2 "$FLOE" plan "$wall" --set domain.cell=1e-6
+has stderr 'cannot be traced'
+check_refuses "$wall" 'not a whole number' method.interface=sharp domain.cell=0.17
+has stderr '--set domain.cell=0.17: error: domain.cell: the extent'
 
 # Cases that cannot start, and of which the deck does not say so, are warned of; null among the values takes the key away.
 two=$FLOE_SOURCE/inputs/two_bars.yaml
