@@ -66,8 +66,7 @@ void wrapped_print(FILE *file, const char *text, int width)
     }
 }
 
-/* 0: no terminal. */
-static int terminal_width(FILE *file)
+int wrapped_width(FILE *file)
 {
     struct winsize window;
     if (!isatty(fileno(file))) return 0;
@@ -78,7 +77,7 @@ static int terminal_width(FILE *file)
 void wrapped_printf(FILE *file, const char *format, ...)
 {
     va_list arguments;
-    const int width = terminal_width(file);
+    const int width = wrapped_width(file);
     va_start(arguments, format);
     const int length = width > 0 ? vsnprintf(NULL, 0, format, arguments) : -1;
     va_end(arguments);

@@ -15,4 +15,7 @@ void wrapped_printf(FILE *file, const char *format, ...) FLOE_PRINTF(2, 3);
 /* The same at a given width in columns; 0: each line whole. */
 void wrapped_print(FILE *file, const char *text, int width);
 
+/* Columns that a message may take in this file; 0: any number, it is no terminal. */
+int wrapped_width(FILE *file);
+
 #endif

@@ -120,18 +120,32 @@ static void print_stages(const stage_list *stages, FILE *file)
     }
 }
 
+/* 80 columns. */
+#define FIELD_LINE "%-19s %-26s %-6s %-7s %-7s %2s %7s\n"
+
+/* "9288", "158.7M": in seven columns. */
+static void short_bytes(double bytes, char text[16])
+{
+    if (bytes < 1e7)
+        (void)snprintf(text, 16, "%.0f", bytes);
+    else if (bytes < 1e10)
+        (void)snprintf(text, 16, "%.4gM", bytes / 1e6);
+    else
+        (void)snprintf(text, 16, "%.6gG", nearbyint(bytes / 1e8) / 10.0);
+}
+
 static void print_planned_fields(const plan *p, FILE *file)
 {
-    (void)fprintf(file, "\n%-19s %-24s %-6s %-7s %-6s %5s %7s\n", "field", "name", "on", "class", "unit", "count",
-                  "bytes");
+    (void)fprintf(file, "\n" FIELD_LINE, "field", "name", "on", "class", "unit", "of", "bytes");
     for (int id = 0; id < FIELD_COUNT; id++) {
         const field_info *info = field_describe((field_id)id);
         const int n = plan_field_instances(p, (field_id)id);
         if (n == 0) continue;
-        (void)fprintf(file, "%-19s %-24s %-6s %-7s %-6s %5d %7llu\n", plan_field_id((field_id)id), info->name,
-                      plan_centring(info->centring), plan_class(info->class), info->unit,
-                      n * field_component_count(info->components, p->sim->mesh.dim),
-                      (unsigned long long)plan_field_bytes(p, (field_id)id));
+        char count[16], bytes[16];
+        (void)snprintf(count, sizeof count, "%d", n * field_component_count(info->components, p->sim->mesh.dim));
+        short_bytes((double)plan_field_bytes(p, (field_id)id), bytes);
+        (void)fprintf(file, FIELD_LINE, plan_field_id((field_id)id), info->name, plan_centring(info->centring),
+                      plan_class(info->class), info->unit, count, bytes);
     }
 }
 
@@ -169,7 +183,7 @@ floe_status plan_print_text(const plan *p, FILE *file)
     print_head(p, file);
     print_stages(&p->sim->stages, file);
     print_planned_fields(p, file);
-    (void)fprintf(
+    wrapped_printf(
         file, "\nbytes: points %.0f, cells %.0f, coupling %.0f, scratch %.0f, together %.3g MB\n",
         p->ratio * (double)i->mpm_bytes, p->ratio * (double)i->ice_bytes, p->ratio * (double)i->coupling_bytes,
         p->need.bytes - p->ratio * (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes), p->need.bytes / 1e6);

@@ -37,6 +37,7 @@ static void add_axes(const study *s, const study_case *one, table *t)
         double x;
         const char *unit;
         c.quoted = strcmp(axis->key, "coupling") != 0;
+        c.names = true;
         c.left = !axis_number(axis->value[0], &x, &unit);
         table_text(t, axis->key, c, axis->value[one->pick[k]]);
     }
@@ -199,17 +200,14 @@ static void print_orders(const study *s, FILE *file)
 {
     const char *over = s->over < 0 ? "h" : study_axis_name(&s->axes.axis[s->over]);
     for (size_t g = 0; g < s->n_groups; g++) {
-        bool any = false;
+        char text[2048] = "";
         for (int m = 0; m < s->n_metrics; m++) {
             const study_order order = study_order_of(s, g, s->metric[m]);
             if (!isfinite(order.order)) continue;
-            if (any) (void)fprintf(file, ", ");
-            if (!any) (void)fprintf(file, "order in %s, %s: ", over, s->group[g]);
-            (void)fprintf(file, "%s %.2f", s->metric[m], order.order);
-            if (isfinite(order.standard_error)) (void)fprintf(file, " +- %.2f", order.standard_error);
-            any = true;
+            text_add(text, sizeof text, "%s%s %.2f", text[0] ? ", " : "", s->metric[m], order.order);
+            if (isfinite(order.standard_error)) text_add(text, sizeof text, " +- %.2f", order.standard_error);
         }
-        if (any) (void)fprintf(file, "\n");
+        if (text[0]) wrapped_printf(file, "order in %s, %s: %s\n", over, s->group[g], text);
     }
 }
 
@@ -217,14 +215,16 @@ static void print_limit(const study *s, size_t group, int q, FILE *file)
 {
     study_limit l;
     if (!study_limit_of(s, group, q, &l)) return;
-    (void)fprintf(file, "limit of %s, %s: %s", s->plan.quantity[q], s->group[group], richardson_name(l.limit.kind));
+    char text[256] = "";
     if (isfinite(l.limit.gci_fine)) {
         const double finest = l.values.value[l.values.n - 1];
-        (void)fprintf(file, ", %.6g", l.limit.value);
-        if (isfinite(l.limit.order)) (void)fprintf(file, ", order %.2f", l.limit.order);
-        (void)fprintf(file, ", grid convergence index of the finest %.3g %%", 100.0 * l.limit.gci_fine / fabs(finest));
+        text_add(text, sizeof text, ", %.6g", l.limit.value);
+        if (isfinite(l.limit.order)) text_add(text, sizeof text, ", order %.2f", l.limit.order);
+        text_add(text, sizeof text, ", grid convergence index of the finest %.3g %%",
+                 100.0 * l.limit.gci_fine / fabs(finest));
     }
-    (void)fprintf(file, "\n");
+    wrapped_printf(file, "limit of %s, %s: %s%s\n", s->plan.quantity[q], s->group[group], richardson_name(l.limit.kind),
+                   text);
 }
 
 static void print_answers(const study *s, FILE *file)

@@ -1,5 +1,6 @@
 #include "study/table.h"
 
+#include "base/wrapped.h"
 #include "io/file.h"
 
 #include <string.h>
@@ -72,6 +73,7 @@ static void append_shown(table *t, const char *name, const table_column *c, cons
     int *width = &t->width[t->n_shown];
     if (t->n_rows == 1) {
         *width = c->width;
+        if (c->names && t->n_names == t->n_shown) t->n_names++;
         t->left[t->n_shown] = c->left;
         append_line(&t->headings, c->heading ? c->heading : name, width);
     }
@@ -142,33 +144,69 @@ void table_last(table *t, const char *text)
 
 /* ---- what is written ---- */
 
+/* Columns that stand side by side: those that name the rows, and the others from `from` to before `to`. */
+typedef struct table_sheet {
+    size_t from, to;
+} table_sheet;
+
+static bool is_in_sheet(const table *t, const table_sheet *sheet, size_t column)
+{
+    return column < t->n_names || (column >= sheet->from && column < sheet->to);
+}
+
 /* A line, without blanks at its end, of the texts from `at` to a newline or `end`; returns what is behind it. */
-static const char *print_line(const table *t, const char *at, const char *end, FILE *file)
+static const char *print_line(const table *t, const table_sheet *sheet, const char *at, const char *end, FILE *file)
 {
     int blanks = 0;
     for (size_t k = 0; at < end && *at != '\n'; k++) {
         const int length = (int)strlen(at), rest = k < TABLE_MOST && length < t->width[k] ? t->width[k] - length : 0;
         const bool left = k < TABLE_MOST && t->left[k];
+        const char *text = at;
+        at += length + 1;
+        if (!is_in_sheet(t, sheet, k)) continue;
         blanks += left ? 0 : rest;
         if (length > 0) {
-            (void)fprintf(file, "%*s%s", blanks, "", at);
+            (void)fprintf(file, "%*s%s", blanks, "", text);
             blanks = 0;
         }
         blanks += (left ? rest : 0) + 2;
-        at += length + 1;
     }
     (void)fprintf(file, "\n");
     return at + 1;
 }
 
-floe_status table_print(const table *t, FILE *file)
+/* The columns that fit beside the names, one at least; an empty last one takes no place. */
+static table_sheet next_sheet(const table *t, size_t from, int width)
+{
+    table_sheet sheet = {from, from};
+    int used = -2;
+    for (size_t k = 0; k < t->n_names; k++) used += t->width[k] + 2;
+    for (; sheet.to < t->n_shown; sheet.to++) {
+        used += t->width[sheet.to] + 2;
+        if (width > 0 && used > width && sheet.to > from && t->width[sheet.to] > 0) break;
+    }
+    return sheet;
+}
+
+floe_status table_print_at(const table *t, FILE *file, int width)
 {
     TRY(t->headings.status);
     TRY(t->shown.status);
-    const char *names = strbuf_string(&t->headings), *at = strbuf_string(&t->shown), *end = at + t->shown.length;
-    (void)print_line(t, names, names + t->headings.length, file);
-    while (at < end) at = print_line(t, at, end, file);
+    const char *names = strbuf_string(&t->headings), *first = strbuf_string(&t->shown), *end = first + t->shown.length;
+    size_t from = t->n_names;
+    do {
+        const table_sheet sheet = next_sheet(t, from, width);
+        if (from > t->n_names) (void)fprintf(file, "\n");
+        (void)print_line(t, &sheet, names, names + t->headings.length, file);
+        for (const char *at = first; at < end;) at = print_line(t, &sheet, at, end, file);
+        from = sheet.to;
+    } while (from < t->n_shown);
     return ferror(file) ? fail(t->ctx, FLOE_IO, "cannot write the table") : FLOE_OK;
+}
+
+floe_status table_print(const table *t, FILE *file)
+{
+    return table_print_at(t, file, wrapped_width(file));
 }
 
 floe_status table_write_csv(const table *t, const char *dir, const char *stem)

@@ -21,8 +21,10 @@ typedef struct table_column {
     const char *format;  /* of a double, for people; NULL: "%.6g" */
     int width;           /* for people, at least */
     bool left;           /* for people, else to the right */
-    bool quoted;         /* texts of CSV */
-    int digits;          /* of numbers in CSV; 0: all */
+    bool
+        names; /* with others before it, it names the row: people see it beside all columns, if these need several sheets */
+    bool quoted; /* texts of CSV */
+    int digits;  /* of numbers in CSV; 0: all */
 } table_column;
 
 typedef struct table {
@@ -31,6 +33,7 @@ typedef struct table {
     strbuf headings, shown;        /* texts for people, each with a NUL, a line ending with a newline */
     json_t *list, *row;            /* of JSON; the row is in the list */
     size_t n_rows, n_csv, n_shown; /* n_csv, n_shown: cells of this row so far */
+    size_t n_names;                /* columns that name the rows */
     bool ended;                    /* of this row people see no more */
     int width[TABLE_MOST];
     bool left[TABLE_MOST];
@@ -55,8 +58,11 @@ void table_values(table *t, table_column c, const scene_axis *axis, int n, const
 /* A text with which the row ends for people. */
 void table_last(table *t, const char *text);
 
-/* A line of headings, then a line a row. */
+/* A line of headings, then a line a row. On a terminal that is not as wide, columns that do not fit follow below, beside the names of
+ * the rows again. */
 floe_status table_print(const table *t, FILE *file);
+/* The same at a given width in columns; 0: any. */
+floe_status table_print_at(const table *t, FILE *file, int width);
 /* Replaces DIR/STEM.csv. */
 floe_status table_write_csv(const table *t, const char *dir, const char *stem);
 /* [{name: value, ...}, ...], which the caller owns; NULL when memory is out. */

@@ -62,3 +62,11 @@ below "$(awk -v a="$(held 8e-7)" -v b="$(held 1e-6)" 'BEGIN { x = a / 1.25 / b -
 has stdout '"estimated": false'
 expect 0 "$FLOE" plan "${tiny[@]}"
 has stdout 'available: it fits'
+
+# The table of fields is 80 columns wide at most, with the longest names, units and numbers.
+expect 0 "$FLOE" plan "$FLOE_SOURCE/inputs/burning_block.yaml"
+has stdout 'specific_volume_lagrangian'
+cp stdout fields
+expect 0 "$FLOE" plan "$FLOE_SOURCE/inputs/sod.yaml" --set domain.cell=1e-7
+cat stdout >>fields
+if grep '^[A-Z]_.\{79\}' fields; then fault 'the table of fields is wider than 80 columns'; fi

@@ -15,7 +15,8 @@ static void add_row(table *t, const char *basis, double error, const char *gone)
     const scene_axis axis = {.key = "basis", .value = {"linear", "quadratic"}, .n_values = 2};
     const int pick = strcmp(basis, "quadratic") == 0;
     table_row(t);
-    table_values(t, (table_column){.in = TABLE_ALL, .object = "set", .quoted = true, .left = true}, &axis, 1, &pick);
+    table_values(t, (table_column){.in = TABLE_ALL, .object = "set", .quoted = true, .left = true, .names = true},
+                 &axis, 1, &pick);
     table_values(t, (table_column){.in = TABLE_ALL, .object = "none"}, NULL, 0, NULL);
     if (gone) table_last(t, gone);
     table_number(t, "error",
@@ -53,6 +54,32 @@ static void people_see_columns(void **state)
                               "linear     1234.57      50 %      7  a \"b\", c\n"
                               "quadratic  has failed\n"
                               "quadratic     0.12      50 %      7  a \"b\", c\n");
+    table_free(&t);
+    context_destroy(&ctx);
+}
+
+/* What does not fit beside the names follows below, with the names again. */
+static void a_narrow_terminal_gets_sheets(void **state)
+{
+    (void)state;
+    context *ctx = context_create();
+    char text[1024] = "";
+    FILE *file = tmpfile();
+    table t;
+    make_table(&t, ctx);
+    check_ok(ctx, table_print_at(&t, file, 30));
+    rewind(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    (void)fclose(file);
+    assert_string_equal(text, "basis            e     share\n"
+                              "linear     1234.57      50 %\n"
+                              "quadratic  has failed\n"
+                              "quadratic     0.12      50 %\n"
+                              "\n"
+                              "basis      steps  note\n"
+                              "linear         7  a \"b\", c\n"
+                              "quadratic\n"
+                              "quadratic      7  a \"b\", c\n");
     table_free(&t);
     context_destroy(&ctx);
 }
@@ -111,7 +138,9 @@ static void an_empty_table_is_written(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(people_see_columns), cmocka_unit_test(csv_has_names_and_units),
-                                       cmocka_unit_test(json_has_objects), cmocka_unit_test(an_empty_table_is_written)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(people_see_columns),
+                                       cmocka_unit_test(a_narrow_terminal_gets_sheets),
+                                       cmocka_unit_test(csv_has_names_and_units), cmocka_unit_test(json_has_objects),
+                                       cmocka_unit_test(an_empty_table_is_written)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -58,7 +58,7 @@ static void add_try_row(const tolerance *t, size_t k, table *to)
         const scene_axis *axis = &t->study->axes.axis[i];
         const char *name = study_axis_name(axis);
         const table_column setting = {
-            .in = TABLE_JSON | TABLE_SHOWN, .object = "settings", .heading = name, .left = true};
+            .in = TABLE_JSON | TABLE_SHOWN, .object = "settings", .heading = name, .left = true, .names = true};
         table_text(to, axis->key, setting, axis->value[one->pick[i]]);
     }
     table_text(to, "status", stored, batch_status_name(one->run));
