@@ -1,5 +1,7 @@
 #include "scene/flight.h"
 
+#include "geom/bounds.h"
+
 #include <math.h>
 #include <stdio.h>
 
@@ -14,7 +16,7 @@ static double time_to_side(const scene *s, const scene_body *b, int axis, int si
     const mesh_spec *m = &s->mesh;
     double lo[3] = {0.0}, hi[3] = {0.0};
     const double toward = side == 0 ? -b->velocity[axis] : b->velocity[axis];
-    if (!(toward > 0.0) || !b->shape.model || !b->shape.model->bounds(b->shape.par, m->dim, lo, hi)) return INFINITY;
+    if (!(toward > 0.0) || !shape_bounds(&b->shape, m->dim, lo, hi)) return INFINITY;
     const double distance = side == 0 ? lo[axis] - m->lower[axis] : m->upper[axis] - hi[axis];
     return fmax(distance, 0.0) / toward;
 }

@@ -1,5 +1,6 @@
 #include "scene/formula.h"
 
+#include "geom/bounds.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -132,8 +133,7 @@ static void bounds_of(const scene *s, int body, double lo[3], double hi[3])
 {
     const shape *part = body < 0 ? NULL : &s->body[body].shape;
     double from[3] = {0}, to[3] = {0};
-    const bool bounded =
-        part && part->model && part->model->bounds && part->model->bounds(part->par, s->mesh.dim, from, to);
+    const bool bounded = part && shape_bounds(part, s->mesh.dim, from, to);
     for (int a = 0; a < 3; ++a) {
         lo[a] = bounded ? fmax(s->mesh.lower[a], from[a]) : s->mesh.lower[a];
         hi[a] = bounded ? fmin(s->mesh.upper[a], to[a]) : s->mesh.upper[a];

@@ -1,6 +1,7 @@
 /* Remarks on fluid points that bear their own weight: they start without it, and liquids sink between each other. */
 #include "scene/remark_internal.h"
 
+#include "geom/bounds.h"
 #include "scene/formula.h"
 #include "scene/scene_reach.h"
 
@@ -22,8 +23,7 @@ static double height_of(const scene *s, const scene_body *b, int axis)
 {
     double lo[3] = {0.0}, hi[3] = {0.0};
     const shape *region = &b->shape;
-    if (!region->model || !region->model->bounds || !region->model->bounds(region->par, s->mesh.dim, lo, hi))
-        return s->mesh.upper[axis] - s->mesh.lower[axis];
+    if (!shape_bounds(region, s->mesh.dim, lo, hi)) return s->mesh.upper[axis] - s->mesh.lower[axis];
     return fmin(hi[axis], s->mesh.upper[axis]) - fmax(lo[axis], s->mesh.lower[axis]);
 }
 

@@ -1,6 +1,7 @@
 /* Remarks on shapes: bodies that the mesh cannot carry, or that lie elsewhere, and probes beside smeared solids. */
 #include "scene/remark_internal.h"
 
+#include "geom/bounds.h"
 #include "geom/compound.h"
 #include "scene/slender.h"
 
@@ -28,7 +29,7 @@ static void remark_outside(const scene *s, const scene_body *b, remark_sink *say
     const int dim = s->mesh.dim;
     const bool radial = s->mesh.geometry == MESH_AXISYMMETRIC;
     double lo[3] = {0}, hi[3] = {0}, h[3] = {1, 1, 1}, from[3] = {0}, to[3] = {0};
-    if (!b->shape.model->bounds(b->shape.par, dim, lo, hi)) return;
+    if (!shape_bounds(&b->shape, dim, lo, hi)) return;
     for (int a = 0; a < dim; ++a) {
         if (is_wall_or_mirror(s, a, SIDE_LOWER)) lo[a] = fmax(lo[a], s->mesh.lower[a]);
         if (is_wall_or_mirror(s, a, SIDE_UPPER)) hi[a] = fmin(hi[a], s->mesh.upper[a]);
@@ -58,7 +59,7 @@ static double largest_fill(const scene *s, const scene_body *b)
     const mesh_spec *m = &s->mesh;
     double lo[3] = {0}, hi[3] = {0}, most = 0.0;
     int first[3] = {0, 0, 0}, last[3] = {1, 1, 1};
-    if (!b->shape.model->bounds(b->shape.par, m->dim, lo, hi)) return 1.0;
+    if (!shape_bounds(&b->shape, m->dim, lo, hi)) return 1.0;
     for (int a = 0; a < m->dim; ++a) {
         first[a] = (int)fmax(floor((fmax(lo[a], m->lower[a]) - m->lower[a]) / m->cell[a]), 0.0);
         last[a] = (int)ceil((fmin(hi[a], m->upper[a]) - m->lower[a]) / m->cell[a]);

@@ -2,6 +2,8 @@
  * what the scene itself says, or against what matter is like. */
 #include "scene/remark_internal.h"
 
+#include "geom/bounds.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -134,7 +136,7 @@ static void remark_gas(const remark_speaker *w, const eos *law, double p, double
 
 static bool bounds_of(const scene *s, const scene_body *b, double lo[3], double hi[3])
 {
-    return b->shape.model && b->shape.model->bounds(b->shape.par, s->mesh.dim, lo, hi);
+    return shape_bounds(&b->shape, s->mesh.dim, lo, hi);
 }
 
 /* Extent of a body over that of the mesh, along the axis where it is largest. */
@@ -248,7 +250,7 @@ static void remark_target(remark_speaker *w, const scene_load *load)
         remark_key(w, "it is %.3g times the smallest bulk modulus of the solids: give both in Pa, or with their units",
                    load->target / softest_solid(s));
     remark_set_key(w, "loads", load->name, "pressurise.region");
-    if (!load->region.model || !load->region.model->bounds(load->region.par, s->mesh.dim, lo, hi)) return;
+    if (!shape_bounds(&load->region, s->mesh.dim, lo, hi)) return;
     for (int a = 0; a < s->mesh.dim; ++a)
         if (hi[a] - lo[a] < 0.5 * s->mesh.cell[a]) {
             remark_key(w, "it is %.2g of a cell thin: give it in m, or with its unit",

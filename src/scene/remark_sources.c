@@ -1,6 +1,7 @@
 /* Remarks on sources of mass and vents: regions that the mesh does not resolve, and gases that change their law. */
 #include "scene/remark_internal.h"
 
+#include "geom/bounds.h"
 #include "geom/compound.h"
 
 #include <math.h>
@@ -10,8 +11,7 @@
 static double cells_of(const scene *s, const shape *region)
 {
     double lo[3] = {0}, hi[3] = {0}, h[3] = {1, 1, 1}, cell = 1.0;
-    if (!region->model || !region->model->bounds || !region->model->bounds(region->par, s->mesh.dim, lo, hi))
-        return INFINITY;
+    if (!shape_bounds(region, s->mesh.dim, lo, hi)) return INFINITY;
     for (int a = 0; a < s->mesh.dim; ++a) {
         lo[a] = fmax(lo[a], s->mesh.lower[a]);
         hi[a] = fmin(hi[a], s->mesh.upper[a]);

@@ -1,11 +1,13 @@
 #include "scene/scene_reach.h"
 
+#include "geom/bounds.h"
+
 bool body_reaches_side(const scene *s, const scene_body *b, int axis, int side)
 {
     double lo[3] = {0.0}, hi[3] = {0.0};
     const mesh_spec *m = &s->mesh;
     if (!b->shape.model) return false;
-    if (!b->shape.model->bounds(b->shape.par, m->dim, lo, hi)) return true;
+    if (!shape_bounds(&b->shape, m->dim, lo, hi)) return true;
     return side == 0 ? lo[axis] < m->lower[axis] + m->cell[axis] : hi[axis] > m->upper[axis] - m->cell[axis];
 }
 

@@ -1,6 +1,7 @@
 /* Points are a midpoint quadrature: n of them across a beam or a plate have 1 - 1/n^2 of its moment of inertia. */
 #include "scene/slender.h"
 
+#include "geom/bounds.h"
 #include "geom/compound.h"
 
 #include <math.h>
@@ -29,7 +30,7 @@ static double find_thickness(const scene *s, const scene_body *b, int *axis)
     const int dim = s->mesh.dim;
     double lo[3] = {0}, hi[3] = {0}, shortest = INFINITY, longest = 0.0, square = 0.0;
     *axis = -1;
-    if (!b->shape.model->bounds(b->shape.par, dim, lo, hi)) return INFINITY;
+    if (!shape_bounds(&b->shape, dim, lo, hi)) return INFINITY;
     for (int a = 0; a < dim; ++a) {
         const double extent = hi[a] - lo[a];
         square += extent * extent;

@@ -1,6 +1,7 @@
 /* Sources of mass and vents that a coupling cannot have, or that no fluid can come to. */
 #include "scene/unsupported.h"
 
+#include "geom/bounds.h"
 #include "geom/compound.h"
 
 #include <math.h>
@@ -47,7 +48,7 @@ static void find_range(const scene *s, const shape *region, int first[3], int la
 {
     const mesh_spec *m = &s->mesh;
     double lo[3] = {0}, hi[3] = {0};
-    const bool bounded = region->model->bounds && region->model->bounds(region->par, m->dim, lo, hi);
+    const bool bounded = shape_bounds(region, m->dim, lo, hi);
     for (int a = 0; a < 3; ++a) {
         first[a] = 0;
         last[a] = a < m->dim ? (int)rint((m->upper[a] - m->lower[a]) / m->cell[a]) : 1;

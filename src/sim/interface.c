@@ -1,6 +1,7 @@
 #include "sim/interface.h"
 
 #include "embedded/cut.h"
+#include "geom/bounds.h"
 #include "ice/ice.h"
 #include "mpm/basis/basis.h"
 #include "mpm/surface/boundary.h"
@@ -245,7 +246,7 @@ static floe_status refuse_thin(const scene *s, const cut_surface *line)
 static floe_status refuse_unseen(const scene *s, const mesh *m, const scene_body *body)
 {
     double lo[3], hi[3];
-    if (m->dim > 1 || !body->shape.model->bounds(body->shape.par, 1, lo, hi)) return FLOE_OK;
+    if (m->dim > 1 || !shape_bounds(&body->shape, 1, lo, hi)) return FLOE_OK;
     return hi[0] > m->lower[0] && lo[0] < m->upper[0] ? refuse_thin_at(s, lo) : FLOE_OK;
 }
 

@@ -2,6 +2,8 @@
  * long as sound needs to cross the solids several times. */
 #include "sim/sim.h"
 
+#include "geom/bounds.h"
+
 #include <math.h>
 
 /* A standing wave has next to no kinetic energy for a few thousandths of its period: far less than its crossings. */

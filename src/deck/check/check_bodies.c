@@ -1,5 +1,6 @@
 /* Bodies and loads against the rest of the scene. */
 #include "deck/check/check.h"
+#include "geom/bounds.h"
 #include "scene/formula.h"
 #include "scene/solid_heat.h"
 
@@ -9,7 +10,7 @@
 static bool meets_domain(const scene *s, const shape *part)
 {
     double lo[3] = {0}, hi[3] = {0};
-    if (!part->model || !part->model->bounds || !part->model->bounds(part->par, s->mesh.dim, lo, hi)) return true;
+    if (!shape_bounds(part, s->mesh.dim, lo, hi)) return true;
     for (int axis = 0; axis < s->mesh.dim; axis++) {
         if (!(hi[axis] > s->mesh.lower[axis] && lo[axis] < s->mesh.upper[axis])) return false;
     }

@@ -1,6 +1,7 @@
 #include "mpm/surface/welded.h"
 
 #include "base/memory.h"
+#include "geom/bounds.h"
 
 /* Of a cell: bounds that are this near to each other touch. */
 static const double touches = 1e-6;
@@ -16,8 +17,7 @@ static bool may_weld(const scene *s, const scene_body *b)
 static bool bounds_touch(const mesh *m, const scene_body *a, const scene_body *b)
 {
     double lo[2][3], hi[2][3];
-    if (!a->shape.model->bounds(a->shape.par, m->dim, lo[0], hi[0]) ||
-        !b->shape.model->bounds(b->shape.par, m->dim, lo[1], hi[1]))
+    if (!shape_bounds(&a->shape, m->dim, lo[0], hi[0]) || !shape_bounds(&b->shape, m->dim, lo[1], hi[1]))
         return true; /* one without bounds is everywhere */
     for (int d = 0; d < m->dim; ++d)
         if (lo[0][d] > hi[1][d] + touches * m->h[d] || lo[1][d] > hi[0][d] + touches * m->h[d]) return false;
