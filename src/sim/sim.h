@@ -122,5 +122,7 @@ double sim_steps_through(double left, double first, double dt, double growth);
 floe_status sim_run_stages(sim *s);
 /* The next time step (s), the number of such steps in the run, and what limits it. */
 floe_status sim_predict(sim *s, double *dt, double *steps, const char **reason);
+/* The largest step (s) that is stable, with a CFL number of 1, and what limits it; INFINITY: steps are solved for. */
+floe_status sim_stability_limit(sim *s, double *dt, const char **reason);
 
 #endif

@@ -170,6 +170,17 @@ floe_status sim_step(sim *s, double until)
     return FLOE_OK;
 }
 
+floe_status sim_stability_limit(sim *s, double *dt, const char **reason)
+{
+    const scene_time *t = &s->scene->time;
+    *dt = INFINITY;
+    *reason = "nothing";
+    if (sim_solves(s)) return FLOE_OK;
+    TRY(stable_step(s, dt, reason));
+    *dt /= fmin(1.0, fmax(s->mpm ? t->cfl_mpm : 0.0, s->ice ? t->cfl_ice : 0.0));
+    return FLOE_OK;
+}
+
 floe_status sim_predict(sim *s, double *dt, double *steps, const char **reason)
 {
     const scene_time *t = &s->scene->time;
