@@ -86,6 +86,15 @@ double ledger_largest_drift(const ledger *l, ledger_quantity q)
     return l->worst[q] == 0.0 ? 0.0 : l->worst[q] / scale_of(l, q);
 }
 
+double ledger_largest_share(const ledger *l, ledger_quantity q)
+{
+    double most = scale_of(l, q);
+    if (l->worst[q] == 0.0) return 0.0;
+    for (int a = LEDGER_MOMENT_X; is_moment(q) && a <= LEDGER_MOMENT_Z; ++a)
+        most = fmax(most, l->let_in[a][LEDGER_BOUNDARY] + l->let_in[a][LEDGER_SOURCE]);
+    return l->worst[q] / most;
+}
+
 /* What was there at the start and what has come in. */
 static double first_and_let_in(const ledger *l, ledger_quantity q)
 {

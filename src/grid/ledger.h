@@ -101,6 +101,9 @@ double ledger_excess(const ledger *l, ledger_quantity q);
  * what an error of the first steps is small beside. */
 double ledger_largest_drift(const ledger *l, ledger_quantity q);
 
+/* The same as a share of what has come in, too: of moments of momentum, which walls and weight give and take all along. */
+double ledger_largest_share(const ledger *l, ledger_quantity q);
+
 /* Current totals of the scene, for a check of the ledger. */
 typedef struct ledger_state {
     double total[LEDGER_QUANTITIES];

@@ -11,9 +11,12 @@ static const double bar[] = {0.01,
                              0.1}; /* of a drift: from the first on it is reported, from the second on warned of */
 enum { BARS = sizeof bar / sizeof bar[0] };
 
+/* Walls turn fluids on cells for as long as a run goes on, and weight does: an error of advection is a share of that, and not of what turns
+ * at one time. */
 static double drift_of(const sim *s, int q)
 {
-    return ledger_largest_drift(&s->ledger, (ledger_quantity)q);
+    return s->ice ? ledger_largest_share(&s->ledger, (ledger_quantity)q)
+                  : ledger_largest_drift(&s->ledger, (ledger_quantity)q);
 }
 
 /* How many of the bars the largest drift of a quantity exceeds. */

@@ -153,6 +153,25 @@ static void the_scale_does_not_grow_with_the_error(void **state)
     assert_true(isnan(ledger_largest_drift(&l, LEDGER_ENERGY)));
 }
 
+/* Of a moment of momentum, what walls give counts for the share that is reported, and not for the drift. */
+static void walls_turn_for_as_long_as_they_do(void **state)
+{
+    (void)state;
+    ledger l = {0};
+    ledger_state now = some_state();
+    now.turns = true;
+    l.arm = 1.0;
+    ledger_open(&l, &now, 0.0);
+    ledger_add(&l, LEDGER_MOMENT_Z, LEDGER_BOUNDARY, 40.0);
+    ledger_add(&l, LEDGER_MOMENT_Z, LEDGER_SOURCE, -41.0);
+    ledger_commit(&l);
+    now.extent[LEDGER_MOMENT_Z] = 2.0;
+    ledger_look(&l, &now, 1.0);
+    check_close(ledger_largest_drift(&l, LEDGER_MOMENT_Z), 1.0 / 2.0, 1e-15);
+    check_close(ledger_largest_share(&l, LEDGER_MOMENT_Z), 1.0 / 40.0, 1e-15);
+    check_close(ledger_largest_share(&l, LEDGER_ENERGY), ledger_largest_drift(&l, LEDGER_ENERGY), 0.0);
+}
+
 /* Of a solid of 1 kg with a speed of sound of 10 m/s, that is at rest but for round-off. */
 static void round_off_at_rest_is_no_drift(void **state)
 {
@@ -179,6 +198,7 @@ int main(void)
         cmocka_unit_test(momentum_is_one_vector),
         cmocka_unit_test(moments_are_kept_apart),
         cmocka_unit_test(the_scale_does_not_grow_with_the_error),
+        cmocka_unit_test(walls_turn_for_as_long_as_they_do),
         cmocka_unit_test(round_off_at_rest_is_no_drift),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
