@@ -16,6 +16,9 @@ typedef struct csv_file {
     FILE *file;
     csv_columns *out;
     int column[3];
+    double scale[3], shift[3]; /* from the unit of the head to SI */
+    int heads;                 /* columns that the head names */
+    bool dimensionless;        /* units of the head mean nothing to the deck */
     long line;
     char text[LINE];
     char fault[WHY_SIZE + 64]; /* what is wrong with it; "" so far */
@@ -36,21 +39,57 @@ static bool next_csv_line(csv_file *t)
     return false;
 }
 
-/* Cuts the first cell off a line: without the blanks about it, and of a head without its unit, as in "x (m)". NULL:
- * there is none left. */
-static char *next_cell(char **rest, bool head)
+/* Cuts the first cell off a line: without the blanks about it, and of a head without its unit, as in "x (m)", which is *unit then (NULL: it
+ * is no head). NULL: there is none left. */
+static char *next_cell(char **rest, const char **unit)
 {
     char *cell = *rest;
     if (!cell) return NULL;
     char *comma = strchr(cell, ',');
     *rest = comma ? comma + 1 : NULL;
     if (comma) *comma = '\0';
-    char *unit = head ? strchr(cell, '(') : NULL;
-    if (unit) *unit = '\0';
+    char *bracket = unit ? strchr(cell, '(') : NULL;
+    if (bracket) *bracket = '\0';
+    if (unit) *unit = bracket ? bracket + 1 : "";
     cell += strspn(cell, " \t\"");
     size_t n = strlen(cell);
     while (n > 0 && strchr(" \t\r\n\"", cell[n - 1])) cell[--n] = '\0';
     return cell;
+}
+
+/* What the numbers of a column are to be multiplied by, and then added to, for SI: those of its unit, as it stands behind its bracket. */
+static void read_head_unit(csv_file *t, const char *name, const char *bracket, int a)
+{
+    char unit[64], why[WHY_SIZE];
+    double zero, one;
+    expression_dimension ignored;
+    const size_t length = strcspn(bracket, ")");
+    t->scale[a] = 1.0;
+    t->shift[a] = 0.0;
+    (void)snprintf(unit, sizeof unit, "%.*s", (int)length, bracket);
+    if (t->dimensionless || !unit[0] || strcmp(unit, "1") == 0 || strcmp(unit, "-") == 0) return;
+    if (!units_to_si(unit, 0.0, &zero, &ignored, why) || !units_to_si(unit, 1.0, &one, &ignored, why)) {
+        snprintf(t->fault, sizeof t->fault, "column '%.40s': %.140s", name, why);
+        return;
+    }
+    t->scale[a] = one - zero;
+    t->shift[a] = zero;
+}
+
+/* A head that is none. */
+static void refuse_head(csv_file *t, const char *line)
+{
+    double x;
+    const char *unit;
+    char why[WHY_SIZE], first[64];
+    const char *separator = strchr(line, ',') ? NULL : strpbrk(line, ";\t");
+    (void)snprintf(first, sizeof first, "%.*s", (int)strcspn(line, ",;\t\r\n"), line);
+    if (separator)
+        snprintf(t->fault, sizeof t->fault, "its columns stand between %s: write commas, and decimals with a point",
+                 *separator == ';' ? "semicolons" : "tabs");
+    else if (number_split(first, &x, &unit, why))
+        snprintf(t->fault, sizeof t->fault,
+                 "its first line is '%.20s' and on, where names of columns belong: put a line as `t,p` above", first);
 }
 
 /* Finds the columns by their names. */
@@ -62,11 +101,17 @@ static void read_column_heads(csv_file *t)
         if (!t->fault[0]) snprintf(t->fault, sizeof t->fault, "it is empty");
         return;
     }
-    char *rest = t->text;
+    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, as spreadsheets put it before a text */
+    char *rest = t->text + (strncmp(t->text, mark, strlen(mark)) == 0 ? strlen(mark) : 0);
+    refuse_head(t, rest);
+    const char *unit;
     int at = 0;
-    for (const char *cell = next_cell(&rest, true); cell; cell = next_cell(&rest, true), at++)
-        for (int a = 0; a < out->n; a++)
+    for (const char *cell = next_cell(&rest, &unit); cell && !t->fault[0]; cell = next_cell(&rest, &unit), at++)
+        for (int a = 0; a < out->n; a++) {
             if (out->name[a] && strcmp(cell, out->name[a]) == 0) t->column[a] = at;
+            if (t->column[a] == at) read_head_unit(t, cell, unit, a);
+        }
+    t->heads = at;
     for (int a = 0; a < out->n && !t->fault[0]; a++)
         if (t->column[a] < 0)
             snprintf(t->fault, sizeof t->fault, "its first line names no column '%.60s'", out->name[a]);
@@ -76,16 +121,25 @@ static void read_csv_row(csv_file *t, double *row)
 {
     char *rest = t->text;
     int at = 0, found = 0;
-    for (const char *cell = next_cell(&rest, false); cell; cell = next_cell(&rest, false), at++)
+    for (const char *cell = next_cell(&rest, NULL); cell; cell = next_cell(&rest, NULL), at++) {
+        if (at >= t->heads && cell[0]) {
+            snprintf(t->fault, sizeof t->fault,
+                     "line %ld has more columns than the first line names: write decimals with a point, 0.05, not 0,05",
+                     t->line);
+            return;
+        }
         for (int a = 0; a < t->out->n; a++) {
             const char *unit;
             char why[WHY_SIZE];
             if (t->column[a] != at) continue;
             found++;
-            if (number_split(cell, &row[a], &unit, why) && unit[0] == '\0') continue;
-            snprintf(t->fault, sizeof t->fault, "line %ld: '%.60s' is no number (SI, without a unit)", t->line, cell);
-            return;
+            if (!number_split(cell, &row[a], &unit, why) || unit[0] != '\0') {
+                snprintf(t->fault, sizeof t->fault, "line %ld: '%.60s' is no number, without a unit", t->line, cell);
+                return;
+            }
+            row[a] = row[a] * t->scale[a] + t->shift[a];
         }
+    }
     if (found < t->out->n) snprintf(t->fault, sizeof t->fault, "line %ld has too few columns", t->line);
 }
 
@@ -119,7 +173,7 @@ floe_status read_csv_columns(reader *r, deck_node *node, const char *form, csv_c
     if (descriptor < 0 && special)
         return bad(r, node, form, "cannot open '%s': it is %s, not an ordinary file", out->path, special);
     if (descriptor < 0) return bad(r, node, form, "cannot open '%s': %s", out->path, strerror(errno));
-    csv_file t = {.file = fdopen(descriptor, "r"), .out = out};
+    csv_file t = {.file = fdopen(descriptor, "r"), .out = out, .dimensionless = r->scene->dimensionless};
     if (!t.file) {
         (void)close(descriptor);
         return fail(r->ctx, FLOE_NO_MEMORY, "no memory for '%s'", out->path);

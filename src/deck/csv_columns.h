@@ -4,8 +4,8 @@
 
 #include "deck/schema/schema.h"
 
-/* The file's first line names its columns, with or without a unit in brackets, which is not read: numbers are SI. Lines that begin
- * with # are passed over. */
+/* The file's first line names its columns, each with its unit in brackets, or without one: then its numbers are SI. Lines that begin with # are
+ * passed over. */
 typedef struct csv_columns {
     const char *name[3]; /* of the columns that are read; NULL: the first, the second, the third of the file */
     int n;               /* columns that are read, 1 to 3 */

@@ -61,12 +61,18 @@ static floe_status add_error_at(reader *r, deck_node *node, bool at_key, const c
     return status;
 }
 
+static void list_names(const char *(*candidate)(const void *user, size_t i), const void *user, char all[WORDS])
+{
+    all[0] = '\0';
+    for (size_t i = 0; i <= NAMES_SHOWN && candidate(user, i); i++)
+        text_add(all, WORDS, "%s%s", i > 0 ? ", " : "", i < NAMES_SHOWN ? candidate(user, i) : "...");
+}
+
 floe_status bad_name(reader *r, deck_node *node, bool at_key, const char *noun,
                      const char *(*candidate)(const void *user, size_t i), const void *user)
 {
-    char all[WORDS] = "";
-    for (size_t i = 0; i <= NAMES_SHOWN && candidate(user, i); i++)
-        text_add(all, sizeof all, "%s%s", i > 0 ? ", " : "", i < NAMES_SHOWN ? candidate(user, i) : "...");
+    char all[WORDS];
+    list_names(candidate, user, all);
     const char *name = at_key ? node->key : node->text, *remedy = NULL;
     const char *nearest = other_name(name, candidate, user, &remedy);
     if (!nearest) nearest = nearest_name(name, candidate, user);
@@ -95,7 +101,9 @@ floe_status bad_unknown_key(reader *r, deck_node *node, const char *(*candidate)
     place_of_key(node->key, place, sizeof place);
     if (!place[0] || other_name(node->key, candidate, user, &remedy))
         return bad_name(r, node, true, "key", candidate, user);
-    return bad_key(r, node, NULL, place, "unknown key '%.80s'", node->key);
+    char all[WORDS];
+    list_names(candidate, user, all);
+    return bad_key(r, node, all, place, "unknown key '%.80s'", node->key);
 }
 
 static const char *key_name(const void *user, size_t i)

@@ -110,7 +110,8 @@ static void write_table_file(writer *w, const key_spec *key, const void *base)
 static const special_key special_table_file = {
     .read = read_table_columns,
     .write = write_table_file,
-    .form = "the name of a CSV file, from the deck's folder, with a line of column names and numbers in SI",
+    .form = "the name of a CSV file, from the deck's folder, with a line of column names, each with its unit in "
+            "brackets, else in SI",
     .json = "{\"type\": \"string\"}",
 };
 

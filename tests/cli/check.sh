@@ -309,3 +309,24 @@ for motion in '' ', motion: fixed'; do
         has stderr 'lies within a cell of a slip side'
     elif grep -q 'lies within a cell of a slip side' stderr; then fault 'a fixed body is warned of'; fi
 done
+
+# Tables in files: units of the first line count, and what spreadsheets write instead of commas and points is refused, not read as something else.
+solid=$FLOE_SOURCE/tests/mistakes/solid.yaml
+table() { # table NAME TEXT CHECK...: the file as the pressure in the bore
+    printf "$2" >"$work/$1.csv"
+    "$FLOE" "${@:3}" "$solid" --set "tables={push: {file: $work/$1.csv, from: t}}" --set loads.bore.traction.pressure='push(t)' --set loads.bore.traction.ramp=0
+}
+entries() { sed -nE 's/.* # ([0-9]+ entries, .*)/\1/p' "$1/deck.yaml"; }
+expect 0 table plain 't,p\n0,1e7\n0.002,3e7\n' run --quiet --set time.max_steps=1 -o plain
+expect 0 table units '\xef\xbb\xbft (ms),p (MPa)\r\n0,10\r\n2,30\r\n' run --quiet --set time.max_steps=1 -o units
+[ -n "$(entries plain)" ] && [ "$(entries plain)" = "$(entries units)" ] || fault "other entries with units: $(entries plain), $(entries units)"
+refused_table() { # refused_table WORDS TEXT
+    expect 2 table wrong "$2" check
+    has stderr "$1"
+}
+refused_table "unit 'foo' is not known" 't,p (foo)\n0,1\n1,2\n'
+refused_table 'stand between semicolons' 't;p\n0;1\n1;2\n'
+refused_table 'names of columns belong' '0,1\n1,2\n2,3\n'
+refused_table 'more columns than the first line names' 't,p\n0,1,5\n1,2,5\n'
+refused_table 'more columns than the first line names' 't,p\n0,"1,5"\n1,2\n'
+refused_table 'is no number' 't,p\n0,1 bar\n1,2\n'
