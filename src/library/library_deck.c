@@ -32,7 +32,10 @@ static floe_status begin_use(floe_deck *deck)
 
 static void log_warning(void *user, const char *text)
 {
-    context_log(user, LOG_WARNING, "%s", text);
+    const floe_deck *deck = user;
+    char placed[4096];
+    remark_with_place(deck->scene, text, placed, sizeof placed);
+    context_log(deck->floe->ctx, LOG_WARNING, "%s", placed);
 }
 
 floe_status floe_rehearse(floe_deck *deck, floe_start *start)
@@ -40,7 +43,7 @@ floe_status floe_rehearse(floe_deck *deck, floe_start *start)
     run_ready ready = {0};
     *start = (floe_start){0};
     TRY(begin_use(deck));
-    TRY(run_make_ready(deck->scene, &ready, log_warning, deck->floe->ctx));
+    TRY(run_make_ready(deck->scene, &ready, log_warning, deck));
     *start = (floe_start){ready.done,  ready.cells,  RUN_READY_CELLS, ready.points,   ready.step,
                           ready.steps, ready.reason, ready.bytes,     ready.available};
     return FLOE_OK;

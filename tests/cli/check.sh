@@ -203,7 +203,7 @@ has warned/run.log 'cubic splines and any number of points'
 
 # Slip sides that hold a solid all the same, and fluids that stick to it.
 expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/pressed_cylinder.yaml" --set boundaries.y.lower=slip
-has stderr "boundaries.y.lower: in steps that are solved for, a slip side constrains body 'block'"
+has stderr "--set boundaries.y.lower=slip: in steps that are solved for, a slip side constrains body 'block'"
 lift=("$FLOE_SOURCE/tests/cli/decks/lift.yaml")
 expect 0 "$FLOE" check "${lift[@]}"
 has stderr "boundaries.y.lower: body 'block' lies within a cell of a slip side"
@@ -330,3 +330,10 @@ refused_table 'names of columns belong' '0,1\n1,2\n2,3\n'
 refused_table 'more columns than the first line names' 't,p\n0,1,5\n1,2,5\n'
 refused_table 'more columns than the first line names' 't,p\n0,"1,5"\n1,2\n'
 refused_table 'is no number' 't,p\n0,1 bar\n1,2\n'
+
+# Warnings have the place of what they are about, as errors have: of the key with which they begin, else of the body that they name.
+sed 's/lower: no_slip/lower: slip/' "$FLOE_SOURCE/inputs/foam_wall.yaml" >sides.yaml
+expect 0 "$FLOE" check sides.yaml
+has stderr "warning: sides.yaml:$(grep -n '^  z:' sides.yaml | cut -d: -f1):14: boundaries.z.lower: body 'wall' lies within"
+expect 0 "$FLOE" check sides.yaml --set domain.cell=0.2
+has stderr "warning: sides.yaml:$(grep -n '^  wall:' sides.yaml | cut -d: -f1):3: bodies.wall: "
