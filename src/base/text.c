@@ -42,6 +42,18 @@ static size_t edit_distance(const char *a, const char *b)
     return row[n % 3][m];
 }
 
+static char lower_case(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+/* Whether the names differ in their case alone. */
+static bool same_but_for_case(const char *a, const char *b)
+{
+    while (*a && lower_case(*a) == lower_case(*b)) a++, b++;
+    return *a == '\0' && *b == '\0';
+}
+
 const char *nearest_name(const char *name, const char *(*candidate)(const void *user, size_t i), const void *user)
 {
     const char *best = NULL;
@@ -49,6 +61,7 @@ const char *nearest_name(const char *name, const char *(*candidate)(const void *
     for (size_t i = 0;; i++) {
         const char *other = candidate(user, i);
         if (!other) return best;
+        if (same_but_for_case(name, other)) return other;
         const size_t distance = edit_distance(name, other);
         if (distance <= best_distance && (!best || distance < best_distance) && distance < strlen(other)) {
             best = other;

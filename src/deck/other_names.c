@@ -52,6 +52,9 @@ static const foreign_name foreign[] = {
     {"min", "lower", NULL},
     {"right", "upper", NULL},
     {"top", "upper", NULL},
+    /* loads */
+    {"force", "body_force", NULL},
+    {"pressure", "traction", NULL},
     /* laws of solids and equations of state */
     {"elastic", "linear_elastic", NULL},
     {"hookean", "linear_elastic", NULL},

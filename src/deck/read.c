@@ -173,13 +173,24 @@ static floe_status read_absent(reader *r, const key_spec *key, deck_node *map, v
     return FLOE_OK;
 }
 
+/* "a map: {pressure: value, ...}": with the keys that must be there, else the first. */
+static void describe_table(const key_table *table, char *text, size_t size)
+{
+    size_t shown = 0;
+    (void)snprintf(text, size, "a map: {");
+    for (size_t i = 0; i < table->n; i++)
+        if (table->key[i].required) text_add(text, size, "%s%s: value", shown++ > 0 ? ", " : "", table->key[i].key);
+    if (shown == 0 && table->n > 0) text_add(text, size, "%s: value", table->key[shown++].key);
+    text_add(text, size, "%s}", shown < table->n ? ", ..." : "");
+}
+
 floe_status read_table(reader *r, const key_table *table, deck_node *map, void *base)
 {
     if (map && map->kind != NODE_MAP) {
-        char found[80];
+        char found[80], expected[WORDS];
         node_describe(map, found, sizeof found);
-        return bad(r, map, "a map: {key: value, ...}", "'%.60s' is %s, not a map", map->key ? map->key : "the deck",
-                   found);
+        describe_table(table, expected, sizeof expected);
+        return bad(r, map, expected, "'%.60s' is %s, not a map", map->key ? map->key : "the deck", found);
     }
     if (map) TRY(check_keys(r, table, map));
     for (size_t i = 0; i < table->n; i++) {

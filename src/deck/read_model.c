@@ -2,6 +2,7 @@
 #include "deck/schema/schema.h"
 
 #include "base/memory.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -207,6 +208,18 @@ static floe_status find_single(reader *r, deck_node *node, const char *noun, dec
     return FLOE_OK;
 }
 
+/* "{radius: value, ...}": with the parameters that must be there, else the first. */
+static void describe_params(const model_entry *entry, char *text, size_t size)
+{
+    size_t shown = 0;
+    (void)snprintf(text, size, "{");
+    for (size_t i = 0; i < entry->n_params; i++)
+        if (isnan(entry->params[i].fallback))
+            text_add(text, size, "%s%s: value", shown++ > 0 ? ", " : "", entry->params[i].key);
+    if (shown == 0 && entry->n_params > 0) text_add(text, size, "%s: value", entry->params[shown++].key);
+    text_add(text, size, "%s}", shown < entry->n_params ? ", ..." : "");
+}
+
 static floe_status read_model_at(reader *r, const model_family *family, deck_node *node, void *field)
 {
     const family_names names = {family, r->catalogue};
@@ -222,9 +235,10 @@ static floe_status read_model_at(reader *r, const model_family *family, deck_nod
     if (!find_entry(r, family, single->key, &entry))
         return bad_name(r, single, true, family->noun, family_name, &names);
     if (single->kind != NODE_MAP && !node_is_null(single) && !stands_alone(&entry)) {
-        char found[80];
+        char found[80], expected[512];
         node_describe(single, found, sizeof found);
-        return bad(r, single, "{parameter: value, ...}", "'%.60s' is %s, not a map", single->key, found);
+        describe_params(&entry, expected, sizeof expected);
+        return bad(r, single, expected, "'%.60s' is %s, not a map", single->key, found);
     }
     return read_params(r, family, &entry, single->kind == NODE_MAP ? single : NULL, single, field);
 }
