@@ -5,6 +5,7 @@
 #include "run/advance.h"
 #include "run/checkpoints.h"
 #include "run/disk_need.h"
+#include "run/fixed_step.h"
 #include "run/follow.h"
 #include "run/log.h"
 #include "run/measure.h"
@@ -333,10 +334,11 @@ static void take_remark(void *user, const char *text)
     if (!m->run->options->resume) context_log(m->run->ctx, LOG_WARNING, "%s", text);
 }
 
-static void say_start(run *r, run_summary *out)
+static floe_status say_start(run *r, run_summary *out)
 {
     const int threads = (int)out->threads;
     const sim *s = r->sim;
+    remarks into = {r, out};
     if (s->mpm) context_log(r->ctx, LOG_INFO, "solver %s", s->solver_reason);
     if (interface_in_words(s)[0]) context_log(r->ctx, LOG_INFO, "interface %s", interface_in_words(s));
     if (s->substeps_reason[0]) context_log(r->ctx, LOG_INFO, "sub-steps %s", s->substeps_reason);
@@ -345,9 +347,11 @@ static void say_start(run *r, run_summary *out)
                 s->mpm ? mpm_count(s->mpm) : 0, s->ice ? mesh_cells(&s->mesh) : 0, threads, threads == 1 ? "" : "s",
                 s->time, scene_time_unit(s->scene));
     if (r->output.note[0]) context_log(r->ctx, LOG_WARNING, "%s", r->output.note);
-    scene_remarks(s->scene, take_remark, &(remarks){r, out});
-    if (!r->options->resume) disk_need_remark(s, r->options->dir, take_remark, &(remarks){r, out});
+    scene_remarks(s->scene, take_remark, &into);
+    if (!r->options->resume) disk_need_remark(s, r->options->dir, take_remark, &into);
+    if (!r->options->resume) TRY(fixed_step_remark(r->sim, take_remark, &into));
     r->n_remarks = out->n_warnings;
+    return FLOE_OK;
 }
 
 /* What could not be written of the time of the checkpoint, and what comes after it in a step. */
@@ -423,7 +427,7 @@ static void note_cause(const run *r, run_summary *out, floe_status status)
 
 static floe_status run_with_outputs(run *r, run_summary *out)
 {
-    say_start(r, out);
+    TRY(say_start(r, out));
     TRY(write_summary(r, out, "running"));
     run_checkpoints_reserve(&r->checkpoints);
     const floe_status status = scene_deck_location(r->scene, carry_out_run(r, out));

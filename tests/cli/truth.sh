@@ -125,3 +125,8 @@ below 0.0022 "$(json ring/summary.json time)" # start, ramp and five crossings o
 strain=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "strain (J)") c = i } END { print $c }' ring/history.csv)
 below 1206 "$strain"
 below "$strain" 1230
+
+# A fixed step beyond what is stable is warned of by the run itself, and its summary keeps it: what comes out has no meaning, though it ends as done.
+expect 0 "$FLOE" run "$FLOE_SOURCE/tests/mistakes/gas.yaml" --set time.fixed_step=5e-5 --set time.max_steps=3 -o fixed --quiet
+has fixed/run.log 'times the largest step that is stable at the start'
+has fixed/summary.json 'times the largest step that is stable at the start'
