@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/threads.h"
 #include "run/advance.h"
+#include "run/fixed_step.h"
 #include "run/measure.h"
 #include "run/memory_need.h"
 #include "scene/deck_location.h"
@@ -31,6 +32,7 @@ static floe_status begin_simulation(floe_simulation *s)
     (void)advance_choose_threads(s->sim, s->options.threads);
     truth_begin(&s->truth, s->sim);
     scene_remarks(of, take_warning, s);
+    TRY(fixed_step_remark(s->sim, take_warning, s));
     return field_list_make(s);
 }
 

@@ -283,6 +283,9 @@ static void check_additive(const sample *a)
 
 static void check_description(const sample *a)
 {
+    /* Where it does not exist, it says what to take. */
+    assert_true(a->s.model->min_dim <= 1 || a->s.model->instead_below);
+    assert_true(a->s.model->max_dim >= 3 || a->s.model->instead_above);
     check_true(shape_find(a->s.model->name) == a->s.model);
     check_true(a->s.model->doc[0] != '\0');
     check_true(a->s.model->min_dim >= 1 && a->s.model->max_dim <= 3);
