@@ -40,6 +40,23 @@ double remark_solid_sound(const scene_material *m)
     return sqrt(modulus / m->density);
 }
 
+/* K/G of metals is below 10, and of gels, nearly all water, 2e6 at most; studies of incompressible solids go to 1e6. */
+static void remark_moduli(remark_speaker *w, const scene_material *m)
+{
+    const double K = m->law->bulk_modulus(m->law_par), G = m->law->shear_modulus(m->law_par), most = 1e7;
+    if (G > 0.0 && K < 0.05 * G)
+        remark_key(
+            w,
+            "the bulk modulus of solid '%s' is %.3g of its shear modulus, a Poisson's ratio of %.3g: is one of them in "
+            "other units?",
+            m->name, K / G, (3.0 * K - 2.0 * G) / (6.0 * K + 2.0 * G));
+    if (G > 0.0 && K > most * G)
+        remark_key(w,
+                   "the shear modulus of solid '%s' is %.3g of its bulk modulus, less than that of any gel: is one of "
+                   "them in other units?",
+                   m->name, G / K);
+}
+
 /* The softest gels have 10 m/s or so, rubbers under load 50 to 1500, metals to 6500, diamond 18000; what is heavier than
  * stone is a metal, whose slowest (lead) has 1200. */
 static void remark_sound(remark_speaker *w, const scene_material *m)
@@ -53,13 +70,7 @@ static void remark_sound(remark_speaker *w, const scene_material *m)
             "the speed of sound of solid '%s' is %.3g m/s at %g kg/m3: no %s has that. Are the moduli in Pa (give "
             "the unit: 200 GPa) and the density in kg/m3?",
             m->name, c, m->density, m->density > dense ? "metal" : "solid");
-    const double K = m->law->bulk_modulus(m->law_par), G = m->law->shear_modulus(m->law_par);
-    if (G > 0.0 && K < 0.05 * G)
-        remark_key(
-            w,
-            "the bulk modulus of solid '%s' is %.3g of its shear modulus, a Poisson's ratio of %.3g: is one of them in "
-            "other units?",
-            m->name, K / G, (3.0 * K - 2.0 * G) / (6.0 * K + 2.0 * G));
+    remark_moduli(w, m);
     remark_set_key(w, "materials", m->name, "density");
     if (m->density < 5.0 || m->density > 23000.0)
         remark_key(w, "solid '%s' has %g kg/m3: light foams have 10, osmium 22600. Is it in kg/m3 (1 g/cm3 is 1000)?",
