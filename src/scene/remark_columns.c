@@ -2,6 +2,7 @@
 #include "scene/remark_internal.h"
 
 #include "geom/bounds.h"
+#include "scene/fluid_columns.h"
 #include "scene/formula.h"
 #include "scene/scene_reach.h"
 
@@ -40,13 +41,16 @@ static bool stands(const scene *s, const scene_body *b, int axis, double pull)
     return pull != 0.0 && kind != BC_FREE && kind != BC_PERIODIC && body_reaches_side(s, b, axis, floor);
 }
 
-/* A fluid on points has the pressure that its deck gives, and no weight above it: on a floor it starts to fall, and its pressure swings about that
- * at rest. A gas is light enough where its weight is a hundredth of its pressure. */
+/* Where its weight is not added (fluid_columns.h), a fluid on points starts to fall on its floor, and its pressure swings about that at rest. A gas is light
+ * enough where its weight is a hundredth of its pressure. */
 static void remark_column(remark_speaker *w, const scene_body *b, int axis, double pull)
 {
     const scene *s = w->s;
+    double falls[SCENE_MAX_BODIES];
     const double light = 0.01, weight = fabs(pull) * density_of(s, b) * height_of(s, b, axis);
-    if (b->initial_from_exact || scene_formula_of(s, &b->pressure) || scene_formula_of(s, &b->density)) return;
+    if (scene_point_columns(s, falls) >= 0 || b->initial_from_exact || scene_formula_of(s, &b->pressure) ||
+        scene_formula_of(s, &b->density))
+        return;
     if (!eos_is_liquid(&s->material[b->material].eos) && weight < light * b->pressure) return;
     if (strcmp(b->name, "ambient") == 0)
         remark_set_key(w, "ambient", "pressure", "");

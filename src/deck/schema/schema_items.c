@@ -170,7 +170,7 @@ static const key_spec body_keys[] = {
          "axis that stays; a rigid body starts with its `velocity` and that spin about its centre of mass"},
     {"pressure", KEY_NUMBER, "Pa", AT(scene_body, pressure), .varies = VARIES_BY_PLACE, .applies = body_is_fluid,
      .belongs = fluid_bodies,
-     .doc = "absolute, at the start, to which gravity adds, on cells, the weight above unless it is a formula; a fluid "
+     .doc = "absolute, at the start, to which gravity adds the weight above unless it is a formula; a fluid "
             "needs two of pressure, temperature, density"},
     {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_body, temperature), .varies = VARIES_BY_PLACE,
      .otherwise = "solids: the ambient temperature, or 300",

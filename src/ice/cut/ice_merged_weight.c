@@ -5,6 +5,7 @@
 #include "ice/state/ice_given.h"
 
 #include "base/memory.h"
+#include "scene/fluid_columns.h"
 
 #include <math.h>
 #include <string.h>
@@ -141,7 +142,7 @@ static ice_given given_in(const ice *s, const int cell[3])
         const ice_fluid *m = &v->m[r];
         const double pure = v->multi ? 1.0 / m->vol[at] : m->rho[at];
         if (!(m->rho[at] > 0.0)) continue;
-        ice_given_add(&out, r, &v->material[r].eos, ice_is_given_by_density(s->scene, v->material[r].scene_material),
+        ice_given_add(&out, r, &v->material[r].eos, scene_is_given_by_density(s->scene, v->material[r].scene_material),
                       v->multi ? m->rho[at] * m->vol[at] : 1.0, pure, m->e[at]);
     }
     return out;

@@ -7,6 +7,7 @@
 #include "ice/state/ice_given.h"
 
 #include "base/memory.h"
+#include "scene/fluid_columns.h"
 
 #include <math.h>
 
@@ -23,7 +24,7 @@ static ice_given given_in_cell(const ice *s, ice_owned_cell c)
         const double rho = field_get(c.f, C_RHO, r, 0)[c.at];
         if (s->material[r].points || !(rho > 0.0)) continue;
         const double pure = ice_is_mixture(s) ? 1.0 / field_get(c.f, C_VOL, r, 0)[c.at] : rho;
-        ice_given_add(&out, r, &s->material[r].eos, ice_is_given_by_density(s->scene, s->material[r].scene_material),
+        ice_given_add(&out, r, &s->material[r].eos, scene_is_given_by_density(s->scene, s->material[r].scene_material),
                       rho / pure, pure, field_get(c.f, C_ENERGY, r, 0)[c.at]);
     }
     return out;
@@ -123,7 +124,7 @@ floe_status ice_hydrostatic(ice *s)
 {
     double *given = NULL;
     floe_status status = FLOE_OK;
-    for (int axis = 0; axis < s->mesh->dim && ice_asks_for_rest(s) && status == FLOE_OK; ++axis) {
+    for (int axis = 0; axis < s->mesh->dim && scene_adds_weight(s->scene) && status == FLOE_OK; ++axis) {
         if (ice_weight_along(s, axis) == 0.0) continue;
         const bool first = !given;
         if (first) status = memory_new(s->ctx, &given, mesh_cells(s->mesh), sizeof *given);

@@ -6,6 +6,7 @@
 #include "ice/ice_constants.h"
 #include "ice/state/ice_given.h"
 #include "ice/state/ice_materials.h"
+#include "scene/fluid_columns.h"
 
 #include <math.h>
 #include <string.h>
@@ -203,5 +204,5 @@ floe_status ice_cut_initialise(ice *s)
 {
     TRY(fill_open_cells(s));
     TRY(ice_cut_merge_start(s));
-    return ice_asks_for_rest(s) ? ice_cut_hydrostatic(s) : FLOE_OK;
+    return scene_adds_weight(s->scene) ? ice_cut_hydrostatic(s) : FLOE_OK;
 }

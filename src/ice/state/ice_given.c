@@ -1,6 +1,6 @@
 #include "ice/state/ice_given.h"
 
-#include "scene/formula.h"
+#include "scene/fluid_columns.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -8,32 +8,9 @@
 /* Differences of given pressures, in rho c^2, that are round-off of a law's pressure. */
 static const double round_off = 1e-11;
 
-bool ice_asks_for_rest(const ice *s)
-{
-    const scene *given = s->scene;
-    if (given->has_ambient && scene_formula_of(given, &given->ambient_pressure)) return false;
-    for (int b = 0; b < given->n_bodies; ++b) {
-        const scene_body *body = &given->body[b];
-        if (given->material[body->material].kind != MATERIAL_FLUID) continue;
-        if (body->initial_from_exact || scene_formula_of(given, &body->pressure)) return false;
-    }
-    return true;
-}
-
 double ice_weight_along(const ice *s, int axis)
 {
-    const bc_side *side = s->scene->bc.side[axis];
-    const bool open =
-        bc_gives_pressure(side[0].kind) && bc_gives_pressure(side[1].kind) && side[0].pressure == side[1].pressure;
-    return open || s->mesh->periodic[axis] ? 0.0 : s->gravity[axis];
-}
-
-bool ice_is_given_by_density(const scene *s, int material)
-{
-    if (s->has_ambient && s->ambient_material == material) return false;
-    for (int b = 0; b < s->n_bodies; ++b)
-        if (s->body[b].material == material && isnan(s->body[b].density)) return false;
-    return true;
+    return scene_bears_weight(s->scene, axis) ? s->gravity[axis] : 0.0;
 }
 
 void ice_given_add(ice_given *g, int r, const eos *law, bool by_density, double theta, double pure, double e)

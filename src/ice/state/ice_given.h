@@ -14,12 +14,8 @@ typedef struct ice_given {
     int n;                                 /* materials */
 } ice_given;
 
-/* Whether the scene's fluids are to be at rest under gravity: no exact solution and no formula gives a pressure. */
-bool ice_asks_for_rest(const ice *s);
 /* Gravity along an axis; 0 where nothing bears the weight: along a periodic one, and between open sides of one pressure. */
 double ice_weight_along(const ice *s, int axis);
-/* Whether every body of a material, and the ambient where it is of it, is given by its density. */
-bool ice_is_given_by_density(const scene *s, int material);
 /* Adds a fluid with its volume fraction and its state; `pure` is the density of the fluid itself. */
 void ice_given_add(ice_given *g, int r, const eos *law, bool by_density, double theta, double pure, double e);
 /* What was given from one cell to another: 0 where that is round-off. */

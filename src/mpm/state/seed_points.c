@@ -9,6 +9,7 @@
 #include "mpm/motion/motion.h"
 #include "mpm/nodes/supports.h"
 #include "mpm/state/seed_fill.h"
+#include "mpm/state/seed_hydrostatic.h"
 #include "mpm/state/stress.h"
 #include "mpm/surface/surface_markers.h"
 #include "scene/formula.h"
@@ -62,15 +63,15 @@ static floe_status set_temperature(mpm *s, int blk, int body, size_t k, const do
     return FLOE_OK;
 }
 
-/* Density at rest and state of one point. Fluids: stress -(p - p_ref) I. */
-static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x[3], double volume)
+/* Density at rest and state of one point. Fluids: stress -(p - p_ref) I; weight: Pa, of the fluid above. */
+static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x[3], double volume, double weight)
 {
     const fields *f = s->domain->fields[blk];
     const mpm_body *b = &s->body[body];
     double velocity[3], stress[6] = {0}, density = s->scene->material[b->scene_material].density;
     if (b->fluid) {
         fluid_state state;
-        TRY(body_fluid_state(s->scene, b->scene_body, x, &state, velocity));
+        TRY(fluid_state_below(s, body, x, weight, &state, velocity));
         density = state.density;
         stress[0] = stress[1] = stress[2] = -(state.pressure - s->scene->reference_pressure);
         field_get(f, P_ENERGY, body, 0)[k] = state.energy;
@@ -150,7 +151,7 @@ static void set_shape(mpm *s, int blk, int body, size_t k, const seed_list *list
         for (int a = 0; a < 3; ++a) field_get(f, P_F, body, unit[dim - 1][a])[k] = 1.0;
 }
 
-static floe_status place_point(mpm *s, int body, const seed_list *list, size_t n)
+static floe_status place_point(mpm *s, int body, const seed_list *list, size_t n, double weight)
 {
     const int cell[3] = {list->cell[0][n], s->mesh->dim > 1 ? list->cell[1][n] : 0,
                          s->mesh->dim > 2 ? list->cell[2][n] : 0};
@@ -160,7 +161,7 @@ static floe_status place_point(mpm *s, int body, const seed_list *list, size_t n
     set_shape(s, blk, body, points->n, list, n);
     double x[3] = {0};
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = list->x[a][n];
-    TRY(set_state(s, blk, body, points->n, x, list->volume[n]));
+    TRY(set_state(s, blk, body, points->n, x, list->volume[n], weight));
     if (fields_has(s->domain->fields[blk], P_AFFINE, body)) TRY(set_affine(s, blk, body, points->n, x));
     if (s->body[body].membrane.model) TRY(set_membrane(s, blk, body, points->n, n));
     points->n++;
@@ -181,13 +182,16 @@ static floe_status seed_body(const mpm *s, int body, seed_list *list)
         "no point lies in it: it is outside the domain, or between the points; move it, or make the cells smaller");
 }
 
-static floe_status seed_bodies(mpm *s, seed_list *list)
+static floe_status seed_bodies(mpm *s, seed_list *list, double *weight[SCENE_MAX_BODIES])
 {
     for (int body = 0; body < s->n_bodies; ++body) TRY(seed_body(s, body, &list[body]));
     TRY(fill_cells(s, list));
+    TRY(find_hydrostatic_pressures(s, list, weight));
     for (int body = 0; body < s->n_bodies; ++body) {
-        for (size_t n = 0; n < list[body].n; ++n) TRY(place_point(s, body, &list[body], n));
+        for (size_t n = 0; n < list[body].n; ++n)
+            TRY(place_point(s, body, &list[body], n, weight[body] ? weight[body][n] : 0.0));
         seed_list_free(s->ctx, &list[body]);
+        memory_free(s->ctx, &weight[body]);
     }
     return FLOE_OK;
 }
@@ -195,8 +199,12 @@ static floe_status seed_bodies(mpm *s, seed_list *list)
 floe_status mpm_seed(mpm *s)
 {
     seed_list list[SCENE_MAX_BODIES] = {0};
-    const floe_status status = seed_bodies(s, list);
-    for (int body = 0; body < s->n_bodies; ++body) seed_list_free(s->ctx, &list[body]);
+    double *weight[SCENE_MAX_BODIES] = {NULL};
+    const floe_status status = seed_bodies(s, list, weight);
+    for (int body = 0; body < s->n_bodies; ++body) {
+        seed_list_free(s->ctx, &list[body]);
+        memory_free(s->ctx, &weight[body]);
+    }
     TRY(status);
     TRY(seed_surfaces(s));
     if (s->cells == CELLS_CUT && scene_enclosing_body(s->scene) < 0) TRY(seed_markers(s));
