@@ -1,6 +1,8 @@
 /* Marching squares on a grid finer than the mesh's, with the crossings found by bisection instead of interpolation. */
 #include "geom/contour.h"
 
+#include "geom/layer.h"
+
 #include "base/memory.h"
 
 #include <math.h>
@@ -321,6 +323,7 @@ floe_status contour_trace(contour *out, context *ctx, const shape *s, const seed
     *out = (contour){0};
     const floe_status status = grid->dim == 1 ? trace_line(&t, out) : trace_chains(&t, out);
     memory_free(ctx, &t.piece);
+    for (size_t k = 0; k < out->n; ++k) layer_snap(grid, out->x[k]);
     if (status != FLOE_OK) contour_free(ctx, out);
     return status;
 }

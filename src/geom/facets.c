@@ -4,6 +4,7 @@
  * two triangles. The lattice stands askew in the mesh, whose planes are where shapes like to have theirs. What lies
  * beyond the mesh is cut off. */
 #include "geom/facets_internal.h"
+#include "geom/layer.h"
 
 #include "base/memory.h"
 #include "math/tensor.h"
@@ -341,6 +342,7 @@ floe_status facets_make(facet_surface *out, context *ctx, const shape *s, const 
         facets_free(ctx, out);
         TRY(make_with(out, ctx, s, grid, finer * divide, &crowded));
     }
+    for (int k = 0; k < out->n; ++k) layer_snap(grid, out->x[k]);
     return FLOE_OK;
 }
 

@@ -46,3 +46,12 @@ double layer_cell(const seed_spec *grid)
     for (int a = 1; a < grid->dim; a++) h = fmin(h, grid->h[a]);
     return h;
 }
+
+void layer_snap(const seed_spec *grid, double *x)
+{
+    static const double found_with = 1e-8;
+    for (int a = 0; a < grid->dim; ++a) {
+        const double plane = rint((x[a] - grid->lower[a]) / grid->h[a]), at = grid->lower[a] + plane * grid->h[a];
+        if (fabs(x[a] - at) < found_with * grid->h[a]) x[a] = at;
+    }
+}

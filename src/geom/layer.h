@@ -1,4 +1,4 @@
-/* One layer of points: what curves (curve.c) and surfaces in space (sheet_seeding.c) share as they are filled. Private to the
+/* One layer of points: what curves (curve.c), surfaces in space (sheet_seeding.c) and the surfaces of bodies share as they are filled. Private to the
  * geom module. */
 #ifndef GEOM_LAYER_H
 #define GEOM_LAYER_H
@@ -17,5 +17,7 @@ floe_status layer_reserve(seed_list *list, context *ctx, size_t n, int dim);
 floe_status layer_put_point(seed_list *list, context *ctx, const seed_spec *grid, size_t i, const double x[3]);
 /* The smallest side of a cell (m). */
 double layer_cell(const seed_spec *grid);
+/* Puts a place that is on a plane of the mesh but for what it was found with (1e-8 of a cell) onto it. */
+void layer_snap(const seed_spec *grid, double *x);
 
 #endif

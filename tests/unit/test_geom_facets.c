@@ -69,6 +69,28 @@ static void test_boxes(void **unused)
     }
 }
 
+/* A box on planes of a mesh whose spacing is no binary fraction cuts no cell: its vertices are on the planes, not beside them by what they were
+ * found with. */
+static void test_planes_of_the_mesh(void **unused)
+{
+    double wall[6] = {0.5, 0.0, 0.0, 0.6, 0.2, 0.35};
+    const shape s = {.model = shape_find("box"), .par = wall};
+    const seed_spec grid = {.dim = 3, .h = {0.05, 0.05, 0.05}, .n = {24, 8, 12}};
+    context *ctx = context_create();
+    facet_surface f;
+    (void)unused;
+    check_ok(ctx, facets_make(&f, ctx, &s, &grid, 1));
+    assert_true(f.n > 0);
+    for (int k = 0; k < f.n; ++k) {
+        int on = 0;
+        for (int a = 0; a < 3; ++a)
+            for (int i = 0; i <= grid.n[a]; ++i) on += f.x[k][a] == i * 0.05;
+        assert_true(on > 0);
+    }
+    facets_free(ctx, &f);
+    context_destroy(&ctx);
+}
+
 /* Planes at any angle: the cube cut through its corner, edge, middle. */
 static void test_planes(void **unused)
 {
@@ -107,7 +129,8 @@ static void test_hollow(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_boxes), cmocka_unit_test(test_planes),
-                                       cmocka_unit_test(test_balls), cmocka_unit_test(test_hollow)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_boxes), cmocka_unit_test(test_planes_of_the_mesh),
+                                       cmocka_unit_test(test_planes), cmocka_unit_test(test_balls),
+                                       cmocka_unit_test(test_hollow)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
