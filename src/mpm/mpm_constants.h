@@ -79,7 +79,7 @@
  * points: its kinetic energy would be all of the contact's work in the ledger (a run of a sliding block was ended by it). */
 #define MPM_FELT_NODE 1e-3
 /* Cells by which points must be farther apart along the normal of one body than along the common normal for it to be that of the contact. */
-#define MPM_TILTED_NORMAL 0.05
+#define MPM_TILTED_NORMAL 0.02
 /* Gaps of less than this share of a cell are closed: round-off. */
 #define MPM_CLOSED_GAP 1e-6
 

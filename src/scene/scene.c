@@ -158,7 +158,7 @@ static void set_defaults(scene *s)
     s->ambient_material = -1;
     s->ambient_points = 2;
     strcpy(s->method.basis, "quadratic");
-    strcpy(s->contact.normals, "colour");
+    strcpy(s->contact.normals, "cubic_spline");
     s->method.flip = NAN;
     s->method.domain_limit = 1.0;
     s->method.conserve_energy = true;

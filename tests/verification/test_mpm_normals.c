@@ -133,9 +133,27 @@ static void test_aligned(void **state)
     }
 }
 
+/* Root mean square and worst angle in degrees that are measured at most, of points on a lattice and of those that fill the bodies. */
+static const struct {
+    const char *normals;
+    double rms[2], worst[2];
+} measured[] = {{"colour", {9.1, 10.2}, {24.5, 28.9}},
+                {"mass", {19.1, 9.7}, {67.9, 76.6}},
+                {"cubic_spline", {5.4, 2.2}, {19.0, 18.4}}};
+
+static void check_angles(const setup *u, angles a)
+{
+    for (size_t k = 0; k < sizeof measured / sizeof *measured; ++k) {
+        if (strcmp(measured[k].normals, u->normals) != 0) continue;
+        const int kind = u->seeding == SEED_FITTED;
+        check_true(a.n > 20 && rms(a) <= 1.3 * measured[k].rms[kind] && a.worst <= 1.3 * measured[k].worst[kind]);
+        return;
+    }
+    check_true(a.n > 20 && rms(a) <= 24.0 && a.worst <= 85.0);
+}
+
 /* A leaning plane, a circle, a sphere: the error is that of two points a cell, and does not fall with h. At nodes that a body barely
- * reaches it is largest, but no normal points backwards. Bounds: degrees, root mean square and worst, measured at most 10, 23 with the
- * colour function and 19, 75 with masses (GIMP on a lattice, whose points reach a node at zero weight). */
+ * reaches it is largest (with masses and GIMP on a lattice, whose points reach a node at zero weight), but no normal points backwards. */
 static void test_angles(void **state)
 {
     (void)state;
@@ -144,7 +162,6 @@ static void test_angles(void **state)
     for (size_t n = next_asked(0); n < normal_registry_size; n = next_asked(n + 1)) FOR_CONTACT_BASES(i)
     for (int seeding = 0; seeding < 2; ++seeding)
         for (int scene_kind = 0; scene_kind < 3; ++scene_kind) {
-            const bool colour = strcmp(normal_registry[n]->name, "colour") == 0;
             setup u = {scene_kind == 0 ? PLANE : ROUND, scene_kind == 2 ? 3 : 2, 0.0, 0.4, basis_registry[i]->name,
                        normal_registry[n]->name,        (seed_method)seeding};
             print_message("%s, %s, %s, %s:",
@@ -156,7 +173,7 @@ static void test_angles(void **state)
                 u.h = u.dim == 3 ? space[k] : plane[k];
                 const angles a = measure(&u);
                 print_message("  %.1f / %.1f", rms(a), a.worst);
-                check_true(a.n > 20 && rms(a) <= (colour ? 14.0 : 24.0) && a.worst <= (colour ? 45.0 : 85.0));
+                check_angles(&u, a);
             }
             print_message("\n");
         }

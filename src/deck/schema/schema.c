@@ -159,7 +159,7 @@ static const key_spec contact_keys[] = {
      .doc = "where two bodies can be in contact"},
     {"friction", KEY_NUMBER, NULL, PARAM_NONNEGATIVE, AT(scene_contact, friction), .fallback = "0",
      .applies = contact_rubs, .belongs = "kind friction", .doc = "coefficient mu"},
-    {"normals", KEY_SPECIAL, AT(scene_contact, normals), .special = &special_normals, .otherwise = "colour",
+    {"normals", KEY_SPECIAL, AT(scene_contact, normals), .special = &special_normals, .otherwise = "cubic_spline",
      .doc = "how the normals of bodies on the grid are made"},
 };
 static const key_table contact_table = TABLE(contact_keys);
