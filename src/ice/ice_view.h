@@ -67,10 +67,11 @@ typedef struct ice_view {
     double *alone;             /* C_ALONE: which are; NULL: all */
     double base, slope;        /* shock sensor: s = base + slope * sensor */
     double limit_lo, limit_hi; /* limiter factors lie between these: none 1,1; default 0,1; first order 0,0 */
-    double length, finest;     /* m: the largest spacing and the smallest */
-    double share[3];           /* ratio of each axis' spacing to the largest: one on square cells */
-    bool burns;                /* some solid on points reacts */
-    bool reconcile;            /* cells are closed along isentropes (ice_follows_isentropes) */
+    double limit_beyond; /* share of their range by which velocities may go beyond those of the neighbours (theory 3) */
+    double length, finest; /* m: the largest spacing and the smallest */
+    double share[3];       /* ratio of each axis' spacing to the largest: one on square cells */
+    bool burns;            /* some solid on points reacts */
+    bool reconcile;        /* cells are closed along isentropes (ice_follows_isentropes) */
     double
         advance; /* half time steps by which u* and P are ahead: 1; 2 where the implicit pressure is that of the end of the step */
     double *step, *last_step; /* implicit: phi dP of this step and of the last */

@@ -53,10 +53,10 @@ FLOE_ALWAYS_INLINE double limited_factor(double margin, double reach, double lo,
     return bounded > lo ? bounded : lo;
 }
 
-/* Half the central difference along each axis, the sum of their halves (how far a corner lies from the centre) and the
- * smaller of the rises to the highest and the falls to the lowest neighbour. */
+/* Half the central difference along each axis, the sum of their halves (how far a corner lies from the centre), the
+ * smaller of the rises to the highest and the falls to the lowest neighbour, and what is between both. */
 typedef struct slope {
-    double g[3], reach, margin;
+    double g[3], reach, margin, between;
 } slope;
 
 /* An array at a row, and at the rows or cells beside it along each axis. */
@@ -77,6 +77,7 @@ FLOE_ALWAYS_INLINE slope slope_of(const around *x, ptrdiff_t t, const int dim)
         down = most(down, most(-below, -above));
     }
     s.margin = least(up, down);
+    s.between = up + down;
     return s;
 }
 
@@ -89,7 +90,7 @@ typedef struct donors {
         *clip; /* of several: compressibility, factor on gradients, on what leaves small volume fractions */
     double *out[3][2 * (ADVECT_Q + 1)]; /* by axis: M, g, then N and H of each q */
     double *const *M, *const *g, *const *y, *fill, *rarest, *leans;
-    double drift[3], lo, hi;
+    double drift[3], lo, hi, beyond;
 } donors;
 
 FLOE_ALWAYS_INLINE donors advection_donors(const ice_advect_buffers *w, const ice_view *v, int r, int slab,
@@ -110,7 +111,8 @@ FLOE_ALWAYS_INLINE donors advection_donors(const ice_advect_buffers *w, const ic
                 .rarest = w->rarest,
                 .leans = w->leans,
                 .lo = v->limit_lo,
-                .hi = v->limit_hi};
+                .hi = v->limit_hi,
+                .beyond = v->limit_beyond};
     if (multi) {
         d.kappa = v->kappa_sum + start;
         d.common = v->limiter + start;
@@ -173,10 +175,20 @@ FLOE_ALWAYS_INLINE void donate_mass(const donors *d, ptrdiff_t t, const int dim,
     }
 }
 
+/* Share of the range of its neighbours by which velocities may go beyond it: all that the scheme allows in slow flow, none from a Mach number of
+ * ICE_SLOW_MACH on. */
+FLOE_ALWAYS_INLINE double slow_share(const donors *d, ptrdiff_t t, const int dim)
+{
+    double square = 0.0;
+    for (int a = 0; a < dim; ++a) square += d->u[a][t] * d->u[a][t];
+    return d->beyond * most(1.0 - square / (ICE_SLOW_MACH * ICE_SLOW_MACH * d->c[t] * d->c[t] + ICE_TINY), 0.0);
+}
+
 /* N and H of a cell's quantity number i. */
 FLOE_ALWAYS_INLINE void donate_quantity(const donors *d, int i, ptrdiff_t t, const int dim, const bool multi)
 {
-    const slope G = slope_of(&d->q[i], t, dim);
+    slope G = slope_of(&d->q[i], t, dim);
+    if (!multi && i < dim) G.margin += slow_share(d, t, dim) * G.between;
     const double mass = d->rho.at[t], fill = d->fill[t], value = d->q[i].at[t];
     const double sloped = multi || i != dim ? 1.0 : 1.0 - d->contact[t], leans = multi ? d->leans[t] : 1.0;
     const double scale = sloped * mass * limited_factor(G.margin, G.reach * d->rarest[t], d->lo * leans, d->hi * leans);

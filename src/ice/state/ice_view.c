@@ -1,4 +1,5 @@
 /* A block's arrays and metrics, gathered for the kernels. */
+#include "ice/ice_constants.h"
 #include "ice/state/ice_materials.h"
 #include "ice/state/ice_storage.h"
 #include "ice/state/ice_traced.h"
@@ -110,6 +111,7 @@ static void set_scheme(const ice *s, ice_view *v)
     v->advance = s->implicit && method->centring != ICE_CENTRING_HALF ? 2.0 : 1.0;
     v->limit_lo = method->limiter == ICE_LIMITER_NONE ? 1.0 : 0.0;
     v->limit_hi = method->limiter == ICE_LIMITER_FIRST_ORDER ? 0.0 : 1.0;
+    v->limit_beyond = s->implicit && method->limiter == ICE_LIMITER_DEFAULT ? ICE_SLOW_OVERSHOOT : 0.0;
 }
 
 static void gather_reactions(const ice *s, const fields *f, ice_view *v)
