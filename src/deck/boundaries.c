@@ -21,7 +21,7 @@ static const key_spec outlet_keys[] = {
     {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
      .doc = "absolute, at the faces"},
     {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature),
-     .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "of an ambient at rest, else that inside",
+     .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "of an ambient that does not move in, else that inside",
      .doc = "of the fluid at rest behind, should flow turn back"},
     {"material", KEY_MATERIAL, AT(bc_side, material), .otherwise = "the fluid, where there is one only",
      .doc = "what is behind"},

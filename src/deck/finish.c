@@ -64,17 +64,30 @@ static bool ambient_is_all_outside(const scene *s)
     return true;
 }
 
-/* What comes back through an outlet is the ambient at rest, and through a non-reflecting side the ambient, unless the deck says
- * otherwise. Of an ambient that differs from place to place, or moves, it is not known. */
-static void finish_outside(const scene *s, bc_side *side)
+/* Whether the ambient may come in through an outlet by its own motion: where it differs from place to place, that is not known. */
+static bool ambient_moves_in(const scene *s, const scene_condition *at)
 {
-    bool known = s->has_ambient && s->ambient_material >= 0 && !scene_formula_of(s, &s->ambient_temperature);
-    for (int a = 0; a < s->mesh.dim && side->kind == BC_OUTLET; ++a)
-        known = known && s->ambient_velocity[a] == 0.0 && !scene_formula_of(s, &s->ambient_velocity[a]);
-    if (!known || side->temperature > 0.0 || scene_formula_of(s, &side->temperature)) return;
+    const double out = at->end ? s->ambient_velocity[at->axis] : -s->ambient_velocity[at->axis];
+    for (int a = 0; a < s->mesh.dim; ++a)
+        if (scene_formula_of(s, &s->ambient_velocity[a])) return true;
+    return !(out >= 0.0);
+}
+
+/* What comes back through an outlet comes from the ambient, which is at rest across the side or moves away from it, and through a
+ * non-reflecting side the ambient, unless the deck says otherwise. Of an ambient that differs from place to place it is not known, nor
+ * of one that moves in. */
+static void finish_outside(const scene *s, const scene_condition *at, bc_side *side)
+{
+    const bool outlet = side->kind == BC_OUTLET;
+    if (!s->has_ambient || s->ambient_material < 0 || scene_formula_of(s, &s->ambient_temperature)) return;
+    if (outlet && ambient_moves_in(s, at)) return;
     if ((side->material >= 0 && side->material != s->ambient_material) || !ambient_is_all_outside(s)) return;
-    side->material = s->ambient_material;
-    side->temperature = s->ambient_temperature;
+    if (!(side->temperature > 0.0) && !scene_formula_of(s, &side->temperature)) {
+        side->material = s->ambient_material;
+        side->temperature = s->ambient_temperature;
+    }
+    if (side->temperature != s->ambient_temperature) return;
+    for (int a = 0; a < s->mesh.dim && outlet; ++a) side->velocity[a] = a == at->axis ? 0.0 : s->ambient_velocity[a];
 }
 
 /* What lies behind the sides that a fluid crosses. */
@@ -85,7 +98,7 @@ static void finish_inlets(scene *s)
     for (int i = 0; scene_next_condition(s, &i, &at);) {
         bc_side *side = at.part ? &s->part[i - 1 - 2 * s->mesh.dim].condition : &s->bc.side[at.axis][at.end];
         const bool flows = side->kind == BC_INLET || bc_gives_pressure(side->kind);
-        if (side->kind == BC_OUTLET || side->kind == BC_NON_REFLECTING) finish_outside(s, side);
+        if (side->kind == BC_OUTLET || side->kind == BC_NON_REFLECTING) finish_outside(s, &at, side);
         if (flows && side->material < 0) side->material = fluid;
     }
 }

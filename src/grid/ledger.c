@@ -126,6 +126,19 @@ static void note_motion(ledger *l, const ledger_state *now)
     double came = l->motion.internal - now->internal;
     for (int k = 0; k < LEDGER_INPUTS; ++k) came += l->entry[LEDGER_ENERGY][k].value;
     l->motion.available = fmax(l->motion.available, l->motion.start + fmax(came, 0.0));
+    l->motion.most = fmax(l->motion.most, now->motion);
+}
+
+double ledger_possible_motion(const ledger *l)
+{
+    return l->motion.stored + l->motion.start + l->let_in[LEDGER_ENERGY][LEDGER_SOURCE];
+}
+
+bool ledger_is_fed(const ledger *l)
+{
+    static const double margin = 1.5, least_share = 0.01;
+    return l->motion.stored >= 0.0 && l->motion.most > margin * ledger_possible_motion(l) &&
+           l->motion.most > least_share * l->scale[LEDGER_ENERGY];
 }
 
 /* Below a share of all energy the gas's part hides what a solid gains, and a loss of accuracy is no divergence. */
@@ -175,7 +188,8 @@ void ledger_open(ledger *l, const ledger_state *now, double elasticity)
     memcpy(l->total, now->total, sizeof l->total);
     memcpy(l->extent, now->extent, sizeof l->extent);
     l->elasticity = elasticity;
-    l->motion = (ledger_motion){.start = now->motion, .internal = now->internal, .available = now->motion};
+    l->motion =
+        (ledger_motion){.start = now->motion, .internal = now->internal, .available = now->motion, .stored = -1.0};
     set_scales(l);
     ledger_discard(l);
 }

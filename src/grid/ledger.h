@@ -65,6 +65,8 @@ typedef struct ledger_motion {
     double available; /* the most so far of: start, what internal energy has lost, and what has come in */
     double beyond;    /* looks in a row, at different times, by which more than that has come from nothing */
     double last_look; /* s */
+    double stored;    /* what fluids could set in motion by themselves at the start; below 0: not known */
+    double most;      /* the most so far of motion and strain */
 } ledger_motion;
 
 typedef struct ledger {
@@ -96,6 +98,11 @@ void ledger_discard(ledger *l); /* the step was rejected */
 double ledger_drift(const ledger *l, ledger_quantity q);
 /* What is there and should not be: total less the start and all entries; negative where something is lost. */
 double ledger_excess(const ledger *l, ledger_quantity q);
+
+/* Whether open sides fed motion that nothing in the scene could have: by more than half of what it could, and a hundredth of all energy. */
+bool ledger_is_fed(const ledger *l);
+/* J: motion and strain that there can be of what is stored, was there at the start, and what sources have brought. */
+double ledger_possible_motion(const ledger *l);
 
 /* The largest of the run so far, with the sign of its excess, against the scale as it is now: what has come in by then is
  * what an error of the first steps is small beside. */

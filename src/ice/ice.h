@@ -216,6 +216,8 @@ typedef struct ice_totals {
         moment_scale[3]; /* kg m2/s: of momentum about the origin; scale: sum of sizes about the middle */
 } ice_totals;
 floe_status ice_sum(ice *s, ice_totals *out);
+/* J: what the fluids would give by expanding, or closing up, along their isentropes to a pressure outside. */
+floe_status ice_stored_work(const ice *s, double outside, double *work);
 /* The reaction (instance of C_REACTED) that consumes a material on points, or -1. */
 int ice_burning_of(const ice *s, int material);
 /* Marks the materials that bodies, the ambient and the sides bring to the cells; `used`: one for each of the scene. */

@@ -90,6 +90,26 @@ static void note_drifts(const sim *s, notes *n)
     }
 }
 
+/* Each flux through an open side may be in the ledger, and all of them bring motion that was nowhere. */
+static void describe_feed(const sim *s, char text[TEXT])
+{
+    const ledger *l = &s->ledger;
+    (void)snprintf(
+        text, TEXT,
+        "motion: kinetic and strain energy reached %.3g%s, %.2g times what the scene could set in motion; open sides "
+        "feed it. Give temperature and material of what is outside, or take non_reflecting",
+        l->motion.most, s->scene->dimensionless ? "" : " J", l->motion.most / ledger_possible_motion(l));
+}
+
+static void note_feed(const sim *s, notes *n)
+{
+    char note[TEXT];
+    if (!ledger_is_fed(&s->ledger)) return;
+    (void)snprintf(note, sizeof note, "WARNING: open sides feed the motion: %.2g times what there could be",
+                   s->ledger.motion.most / ledger_possible_motion(&s->ledger));
+    add_note(n, note);
+}
+
 static void note_counts(const sim *s, notes *n)
 {
     static const struct {
@@ -116,10 +136,14 @@ void truth_summarise(const sim *s, run_summary *out)
     char text[TEXT];
     out->notes[0] = '\0';
     note_drifts(s, &n);
+    note_feed(s, &n);
     note_counts(s, &n);
     for (int q = 0; q < LEDGER_QUANTITIES; ++q) {
         if (bars_passed(s, q) < BARS) continue;
         describe_drift(s, q, text);
         summary_add_warning(out, text);
     }
+    if (!ledger_is_fed(&s->ledger)) return;
+    describe_feed(s, text);
+    summary_add_warning(out, text);
 }

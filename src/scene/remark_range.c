@@ -223,10 +223,8 @@ static void remark_unknown_outside(remark_speaker *w)
         const bc_side *side = at.side;
         if (side->kind != BC_OUTLET || side->temperature > 0.0 || scene_formula_of(s, &side->temperature)) continue;
         remark_set_key(w, "boundaries", mesh_axis_name(s->mesh.geometry, at.axis), at.end ? "upper" : "lower");
-        remark_key(w,
-                   "what is outside the outlet is not known: should fluid come back, it has the temperature inside and "
-                   "the whole pressure however fast it is, and may grow hot and fast. Give the outlet's temperature "
-                   "and material, those of fluid at rest outside");
+        remark_key(w, "what is outside the outlet is not known: should fluid come back, it is what is inside, at the "
+                      "temperature there. Give the outlet's temperature and material, those of fluid at rest outside");
         return;
     }
 }

@@ -110,7 +110,7 @@ floe_status sim_open_ledger(sim *s)
     sim_sum_moments(s, &t);
     const ledger_state now = state_of(s, &t);
     ledger_open(&s->ledger, &now, elasticity_of(s, &t));
-    return FLOE_OK;
+    return sim_find_stored_work(s, &s->ledger.motion.stored);
 }
 
 void sim_update_ledger_from(sim *s, const sim_totals *t)

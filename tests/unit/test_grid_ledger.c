@@ -190,6 +190,34 @@ static void round_off_at_rest_is_no_drift(void **state)
     assert_true(ledger_drift(&l, LEDGER_ENERGY) > 1.0);
 }
 
+/* Fluxes through open sides are entries, and no drift: motion that could not be is what shows that they feed it. */
+static void sides_that_feed_motion_show(void **state)
+{
+    (void)state;
+    for (int known = 0; known < 2; ++known) {
+        ledger l = {0};
+        ledger_state now = {.motion = 1.0};
+        now.total[LEDGER_ENERGY] = now.extent[LEDGER_ENERGY] = 100.0;
+        ledger_open(&l, &now, 0.0);
+        if (known) l.motion.stored = 4.0;
+        now.motion = 7.0;
+        ledger_look(&l, &now, 1.0);
+        assert_false(ledger_is_fed(&l));
+        now.motion = 8.0;
+        now.total[LEDGER_ENERGY] = 110.0;
+        ledger_add(&l, LEDGER_ENERGY, LEDGER_BOUNDARY, 10.0);
+        ledger_commit(&l);
+        ledger_look(&l, &now, 2.0);
+        now.motion = 1.0; /* it has left: the most counts */
+        ledger_look(&l, &now, 3.0);
+        assert_true(ledger_is_fed(&l) == known);
+        ledger_add(&l, LEDGER_ENERGY, LEDGER_SOURCE, 10.0); /* what sources bring may move */
+        ledger_commit(&l);
+        ledger_look(&l, &now, 4.0);
+        assert_false(ledger_is_fed(&l));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -200,6 +228,7 @@ int main(void)
         cmocka_unit_test(the_scale_does_not_grow_with_the_error),
         cmocka_unit_test(walls_turn_for_as_long_as_they_do),
         cmocka_unit_test(round_off_at_rest_is_no_drift),
+        cmocka_unit_test(sides_that_feed_motion_show),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

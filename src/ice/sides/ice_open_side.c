@@ -16,6 +16,10 @@
 /* Share of the outside's speed of sound at which fluid enters an outlet as from a reservoir: steady inflow is the same by both. */
 static const double rush = 0.2;
 
+/* Share of its sound at which fluid may move at an outlet's pressure outside, if nothing is known of it: slow flow through ducts is driven
+ * by the pressures on their ends. */
+static const double stroll = 0.1;
+
 /* ---- reservoirs ---- */
 
 /* Decrease of pressure, density and energy with the speed along an isentrope. */
@@ -182,7 +186,8 @@ void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_
                  speed = fmin(speed_inward(s, f, here, at, axis, side, r), sound_speed_behind(law, &here->behind));
     const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
     if (!(speed > 0.0)) return;
-    double value = kind == GHOST_VELOCITY && component == axis ? inward * speed : 0.0;
+    /* Along an outlet it moves as the ambient does; a reservoir has no such velocity. */
+    double value = kind != GHOST_VELOCITY ? 0.0 : component == axis ? inward * speed : wall->velocity[component];
     if (enters && kind != GHOST_VELOCITY) {
         const ice_reservoir now =
             rests ? expand_isentropically(law, wall->pressure, &here->behind, speed) : here->behind;
@@ -201,12 +206,22 @@ bool ice_enters_supersonic(const ice *s, const ice_side_face *here, int axis, me
     return speed >= sound_speed_behind(&s->material[ice_material_of(s, wall->material)].eos, &here->behind);
 }
 
+/* Pressure of fluid of which the state outside is not known, at its speed: that of the cell's fluid, which moves at `stroll` of its sound
+ * at most where it has the given pressure. By the isentrope's first two terms; at the speed of sound 1 per cent off for a diatomic gas. */
+static double pressure_of_return(const ice_view *v, ptrdiff_t c, double given, double inward)
+{
+    const double sound = sound_of_cell(v, c), speed = fmin(inward, sound),
+                 square = fmax(speed * speed - stroll * stroll * sound * sound, 0.0);
+    return given - 0.5 * v->rho_sum[c] * square / (1.0 + 0.5 * square / (sound * sound));
+}
+
 double ice_outlet_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at, double inside)
 {
     const ice_side_face *here = ice_side_at(s, v->b, axis, side, at.i, at.j, at.k);
     const double out = at.outward * v->mean[axis][at.cell], given = here->condition->pressure;
     if (out > 0.0) return out < sound_of_cell(v, at.cell) ? given : inside;
-    if (!(out < 0.0) || !ice_rests_behind(here)) return given;
+    if (!(out < 0.0)) return given;
+    if (!ice_rests_behind(here)) return s->implicit ? given : pressure_of_return(v, at.cell, given, -out);
     const eos *law = &s->material[ice_material_of(s, here->condition->material)].eos;
     const ice_reservoir now =
         expand_isentropically(law, given, &here->behind, fmin(-out, sound_speed_behind(law, &here->behind)));

@@ -87,7 +87,7 @@ static const record_row rows[] = {
     DOUBLES("/ledger/worst", ledger_worst, SHAPE_1(LEDGER_QUANTITIES)),
     DOUBLES("/ledger/worst_time", ledger_worst_time, SHAPE_1(LEDGER_QUANTITIES)),
     DOUBLE("/ledger/elasticity", ledger_elasticity),
-    DOUBLES("/ledger/motion", ledger_motion, SHAPE_1(5)),
+    DOUBLES("/ledger/motion", ledger_motion, SHAPE_1(7)),
     DOUBLES("/ledger/entry", ledger_entry, SHAPE_3(LEDGER_QUANTITIES, LEDGER_KINDS, 2)),
     DOUBLES("/ledger/pending", ledger_pending, SHAPE_2(LEDGER_QUANTITIES, LEDGER_KINDS)),
     INTEGERS("/ledger/count", ledger_count, SHAPE_1(LEDGER_COUNTS)),
@@ -117,7 +117,7 @@ static void take_ledger(checkpoint_record *r, const ledger *l)
     for (size_t k = 0; k < COMMONS; k++)
         memcpy((char *)r + common[k].record, (const char *)l + common[k].ledger, common[k].size);
     const ledger_motion *m = &l->motion;
-    const double motion[] = {m->start, m->internal, m->available, m->beyond, m->last_look};
+    const double motion[] = {m->start, m->internal, m->available, m->beyond, m->last_look, m->stored, m->most};
     memcpy(r->ledger_motion, motion, sizeof motion);
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         for (int k = 0; k < LEDGER_KINDS; k++) {
@@ -136,7 +136,7 @@ static void put_ledger(const checkpoint_record *r, ledger *l)
     for (size_t k = 0; k < COMMONS; k++)
         memcpy((char *)l + common[k].ledger, (const char *)r + common[k].record, common[k].size);
     const double *m = r->ledger_motion;
-    l->motion = (ledger_motion){m[0], m[1], m[2], m[3], m[4]};
+    l->motion = (ledger_motion){m[0], m[1], m[2], m[3], m[4], m[5], m[6]};
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         for (int k = 0; k < LEDGER_KINDS; k++) {
             l->entry[q][k] = (ledger_sum){r->ledger_entry[q][k][0], r->ledger_entry[q][k][1]};

@@ -20,7 +20,7 @@ typedef struct checkpoint_record {
     double ledger_initial[LEDGER_QUANTITIES], ledger_total[LEDGER_QUANTITIES], ledger_scale[LEDGER_QUANTITIES];
     double ledger_extent[LEDGER_QUANTITIES], ledger_let_in[LEDGER_QUANTITIES][LEDGER_INPUTS];
     double ledger_worst[LEDGER_QUANTITIES], ledger_worst_time[LEDGER_QUANTITIES]; /* 1, s */
-    double ledger_elasticity, ledger_motion[5];              /* J; of ledger_motion, in its order */
+    double ledger_elasticity, ledger_motion[7];              /* J; of ledger_motion, in its order */
     double ledger_entry[LEDGER_QUANTITIES][LEDGER_KINDS][2]; /* value, carry */
     double ledger_pending[LEDGER_QUANTITIES][LEDGER_KINDS];
     int64_t ledger_count[LEDGER_COUNTS], ledger_pending_count[LEDGER_COUNTS];
