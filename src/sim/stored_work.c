@@ -31,6 +31,17 @@ static double pressure_outside(const scene *s)
     return p;
 }
 
+/* Whether bodies are moved by what the deck says of them: their work is in the ledger with what crosses the sides. */
+static bool is_driven(const scene *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].motion.kind == MOTION_DRIVEN) return true;
+    for (int i = 0; i < s->n_supports; ++i)
+        for (int a = 0; a < s->mesh.dim; ++a)
+            if (s->support[i].velocity[a] != 0.0) return true;
+    return scene_varies(s, s->support, sizeof s->support);
+}
+
 /* Whether heat becomes motion, or fluids are where only points know of them. */
 static bool has_other_stores(const sim *s)
 {
@@ -39,7 +50,7 @@ static bool has_other_stores(const sim *s)
         if (sc->material[m].conductivity > 0.0) return true;
     for (int b = 0; s->mpm && b < s->mpm->n_bodies; ++b)
         if (s->mpm->body[b].fluid) return true;
-    return sc->n_reactions > 0 || sc->n_vents > 0;
+    return sc->n_reactions > 0 || sc->n_vents > 0 || is_driven(sc);
 }
 
 floe_status sim_find_stored_work(sim *s, double *work)
