@@ -135,6 +135,20 @@ static void fill_beyond(const ice *s, const block *b, int axis, mesh_side side, 
             }
 }
 
+/* In columns beyond another open side, whose ghosts are being filled too, the nearest owned cell says which way the fluids flow: else that
+ * would change from fluid to fluid, and where two sides bring two fluids a corner could be left without any. */
+static ghost_column column_at(const ice *s, const block *b, int axis, int r, const int at[MESH_MAX_DIM])
+{
+    const bool alone = ice_region_of(s, r)->n == 1;
+    int own[MESH_MAX_DIM] = {at[0], at[1], at[2]};
+    for (int d = 0; d < s->mesh->dim && !alone; ++d) {
+        const int side = at[d] < 0 ? SIDE_LOWER : SIDE_UPPER;
+        if (d == axis || (at[d] >= 0 && at[d] < b->n[d]) || !b->at_side[d][side] || s->mesh->periodic[d]) continue;
+        if (ice_side_has(s, d, (mesh_side)side, bc_gives_pressure)) own[d] = side == SIDE_LOWER ? 0 : b->n[d] - 1;
+    }
+    return (ghost_column){mesh_index(b, at[0], at[1], at[2]), mesh_index(b, own[0], own[1], own[2])};
+}
+
 /* Then what flows in from outside, if the state there is known. */
 static void fill_inflow(const ice *s, const block *b, int axis, mesh_side side, int r, int component, ice_ghost kind,
                         double *a)
@@ -146,8 +160,9 @@ static void fill_inflow(const ice *s, const block *b, int axis, mesh_side side, 
             for (int i = lo[0]; i < hi[0]; ++i) {
                 const ice_side_face *here = ice_side_at(s, b, axis, side, i, j, k);
                 if (ice_known_outside(here))
-                    ice_inflow_ghosts(s, b, s->domain->fields[b->id], here, mesh_index(b, i, j, k), axis, side, r, kind,
-                                      component, a);
+                    ice_inflow_ghosts(s, b, s->domain->fields[b->id], here,
+                                      column_at(s, b, axis, r, (const int[]){i, j, k}), axis, side, r, kind, component,
+                                      a);
             }
 }
 

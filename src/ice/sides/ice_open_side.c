@@ -60,12 +60,22 @@ static ice_reservoir expand_isentropically(const eos *law, double p0, const ice_
     return out;
 }
 
-/* Speed of sound of the fluid behind a face; a reservoir's gas is not led beyond that. */
+/* Speed of sound of the fluid behind a face. */
 static double sound_speed_behind(const eos *law, const ice_reservoir *rest)
 {
     double p, c2;
     law->model->pressure(law->par, 1, &rest->rho, &rest->e, &p, &c2);
     return sqrt(c2);
+}
+
+/* The most speed to which fluid is led from rest at p0: its sound at rest. The isentrope of a stiff liquid ends, at no density, before that
+ * speed (at 0.77 of it for gamma = 4.4); by the law of coupling/isentrope.h. */
+static double most_speed_behind(const eos *law, double p0, const ice_reservoir *rest)
+{
+    static const double share = 0.9;
+    const double sound = sound_speed_behind(law, rest), stiff = p0 - law->model->pressure_floor(law->par);
+    const double exponent = rest->rho * sound * sound / stiff;
+    return exponent > 1.0 ? fmin(sound, share * sound * sqrt(2.0 / (exponent - 1.0))) : sound;
 }
 
 /* Inflow w >= 0 with p(w) - z w = R on the isentrope; negative where the fluid leaves against the reservoir's
@@ -76,7 +86,7 @@ static ice_side_state from_reservoir(const ice *s, const ice_side_face *here, do
     const eos *law = &s->material[ice_material_of(s, wall->material)].eos;
     double w = (wall->pressure - R) / z, p = wall->pressure;
     if (!(w > 0.0)) return (ice_side_state){wall->pressure, -w};
-    const double most_speed = sound_speed_behind(law, &here->behind);
+    const double most_speed = most_speed_behind(law, wall->pressure, &here->behind);
     w = fmin(w, most_speed);
     for (int k = 0; k < 8; ++k) {
         const ice_reservoir now = expand_isentropically(law, wall->pressure, &here->behind, w);
@@ -141,10 +151,10 @@ bool ice_is_reservoir(const ice *s, const ice_view *v, int axis, mesh_side side,
                      -at.outward * v->mean[axis][at.cell]);
 }
 
-/* Pressure of a cell and impedance rho c of all its fluids. */
+/* Pressure of a cell, that of the fluid that fills most of it, and impedance rho c of all its fluids. */
 static void find_wave(const ice *s, const fields *f, ptrdiff_t at, const ice_region *g, double *p, double *z)
 {
-    double mass = 0.0, compliance = 0.0;
+    double mass = 0.0, compliance = 0.0, most = 0.0;
     *p = (double)NAN;
     for (int q = g->first; q < g->first + g->n; ++q) {
         const double rho = field_get(f, C_RHO, q, 0)[at];
@@ -153,7 +163,10 @@ static void find_wave(const ice *s, const fields *f, ptrdiff_t at, const ice_reg
         const double pure = g->n > 1 ? 1.0 / field_get(f, C_VOL, q, 0)[at] : rho;
         double own, c2;
         law->model->pressure(law->par, 1, &pure, &field_get(f, C_ENERGY, q, 0)[at], &own, &c2);
-        if (isnan(*p)) *p = own;
+        if (rho / pure > most) {
+            most = rho / pure;
+            *p = own;
+        }
         mass += rho;
         compliance += rho / (pure * pure * c2);
     }
@@ -174,8 +187,8 @@ static double speed_inward(const ice *s, const fields *f, const ice_side_face *h
 }
 
 /* Where flow leaves, nothing is changed. */
-void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_side_face *here, ptrdiff_t at, int axis,
-                       mesh_side side, int r, ice_ghost kind, int component, double *a)
+void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_side_face *here, ghost_column at,
+                       int axis, mesh_side side, int r, ice_ghost kind, int component, double *a)
 {
     const bc_side *wall = here->condition;
     const bool enters = s->material[r].scene_material == wall->material, rests = ice_rests_behind(here);
@@ -183,7 +196,9 @@ void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_
         return;
     const eos *law = &s->material[ice_material_of(s, wall->material)].eos;
     const double inward = side == SIDE_LOWER ? 1.0 : -1.0,
-                 speed = fmin(speed_inward(s, f, here, at, axis, side, r), sound_speed_behind(law, &here->behind));
+                 most =
+                     ice_rests_behind(here) ? most_speed_behind(law, wall->pressure, &here->behind) : (double)INFINITY,
+                 speed = fmin(speed_inward(s, f, here, at.cell, axis, side, r), most);
     const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
     if (!(speed > 0.0)) return;
     /* Along an outlet it moves as the ambient does; a reservoir has no such velocity. */
@@ -193,7 +208,7 @@ void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_
             rests ? expand_isentropically(law, wall->pressure, &here->behind, speed) : here->behind;
         value = kind == GHOST_DENSITY ? now.rho : kind == GHOST_ENERGY ? now.e : kind == GHOST_VOLUME ? now.v : now.T;
     }
-    for (int n = 1; n <= MESH_GHOST; ++n) a[at + n * out] = value;
+    for (int n = 1; n <= MESH_GHOST; ++n) a[at.last + n * out] = value;
 }
 
 /* ---- faces ---- */
@@ -224,7 +239,7 @@ double ice_outlet_pressure(const ice *s, const ice_view *v, int axis, mesh_side 
     if (!ice_rests_behind(here)) return s->implicit ? given : pressure_of_return(v, at.cell, given, -out);
     const eos *law = &s->material[ice_material_of(s, here->condition->material)].eos;
     const ice_reservoir now =
-        expand_isentropically(law, given, &here->behind, fmin(-out, sound_speed_behind(law, &here->behind)));
+        expand_isentropically(law, given, &here->behind, fmin(-out, most_speed_behind(law, given, &here->behind)));
     double p, c2;
     law->model->pressure(law->par, 1, &now.rho, &now.e, &p, &c2);
     return p;

@@ -10,10 +10,15 @@ bool ice_shares_cells(const ice *s, int r, int side_material);
 /* Whether fluid of a known state lies outside a face of an outlet, a reservoir or a non-reflecting side, and whether it is at rest. */
 bool ice_known_outside(const ice_side_face *here);
 bool ice_rests_behind(const ice_side_face *here);
+/* The ghosts beyond one face. */
+typedef struct ghost_column {
+    ptrdiff_t last; /* the cell before them */
+    ptrdiff_t cell; /* the owned cell whose fluids flow: the same, or in columns beyond an open side the nearest */
+} ghost_column;
 /* What a known fluid outside sends into the ghosts beyond one face (of kind velocity, density, energy, volume), where the cell's fluids
- * flow in; `at`: the owned cell. Their densities and velocities have been filled, so that all fluids and arrays agree on the direction. */
-void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_side_face *here, ptrdiff_t at, int axis,
-                       mesh_side side, int r, ice_ghost kind, int component, double *a);
+ * flow in. Their densities and velocities have been filled, so that all fluids and arrays agree on the direction. */
+void ice_inflow_ghosts(const ice *s, const block *b, const fields *f, const ice_side_face *here, ghost_column at,
+                       int axis, mesh_side side, int r, ice_ghost kind, int component, double *a);
 /* Whether nothing of what is inside reaches the face of an inlet: the fluid enters faster than its sound. */
 bool ice_enters_supersonic(const ice *s, const ice_side_face *here, int axis, mesh_side side);
 /* Pressure on a face of an outlet: the given one; of fluid that comes back from rest outside, that of its speed;
