@@ -177,7 +177,7 @@ FLOE_ALWAYS_INLINE void donate_mass(const donors *d, ptrdiff_t t, const int dim,
 
 /* Share of the range of its neighbours by which velocities may go beyond it: all that the scheme allows in slow flow, none from a Mach number of
  * ICE_SLOW_MACH on. */
-FLOE_ALWAYS_INLINE double slow_share(const donors *d, ptrdiff_t t, const int dim)
+FLOE_ALWAYS_INLINE double crest_share(const donors *d, ptrdiff_t t, const int dim)
 {
     double square = 0.0;
     for (int a = 0; a < dim; ++a) square += d->u[a][t] * d->u[a][t];
@@ -188,7 +188,7 @@ FLOE_ALWAYS_INLINE double slow_share(const donors *d, ptrdiff_t t, const int dim
 FLOE_ALWAYS_INLINE void donate_quantity(const donors *d, int i, ptrdiff_t t, const int dim, const bool multi)
 {
     slope G = slope_of(&d->q[i], t, dim);
-    if (!multi && i < dim) G.margin += slow_share(d, t, dim) * G.between;
+    if (!multi && i < dim) G.margin += crest_share(d, t, dim) * G.between;
     const double mass = d->rho.at[t], fill = d->fill[t], value = d->q[i].at[t];
     const double sloped = multi || i != dim ? 1.0 : 1.0 - d->contact[t], leans = multi ? d->leans[t] : 1.0;
     const double scale = sloped * mass * limited_factor(G.margin, G.reach * d->rarest[t], d->lo * leans, d->hi * leans);
