@@ -55,7 +55,7 @@
 #define ICE_EXPANSION_SLOW 1.5
 #define ICE_EXPANSION_SLOWING 2.0
 /* Share of the range of its neighbours by which the corner of a cell may lie beyond it in velocity, with the implicit pressure: slow flow has no bounds there.
- * Smaller cuts the crests of shear layers, as drag: 3.9 % of it at 0, 0.4 % at 1/2. The share falls to none at that Mach number, in shocks and fans. */
+ * Smaller cuts the crests of shear layers, as drag: 6 % of it at 0, 2.4 % at 1/2. The share falls to none at that Mach number, in shocks and fans. */
 #define ICE_SLOW_OVERSHOOT 0.5
 #define ICE_SLOW_MACH 0.3
 /* Bounds of the thickness of a donor slab, over that before its dilatation. */
