@@ -1,4 +1,4 @@
-"""What `floe` calls: `python3 DIR picture|report|plots ...`, DIR the folder of this package. `floe` has looked at the arguments before.
+"""What `floe` calls: `python3 DIR picture|report|plots|diff ...`, DIR the folder of this package. `floe` has looked at the arguments before.
 
 Exit status: 0 done; 2 bad input; 4 input or output failed; 5 interrupted; 69 a package is missing.
 """
@@ -60,6 +60,10 @@ def _parser() -> argparse.ArgumentParser:
     report.add_argument("--title")
     report.add_argument("--version", default="")
     report.add_argument("--quiet", action="store_true")
+    diff = commands.add_parser("diff")
+    diff.add_argument("folders", nargs=2)
+    diff.add_argument("--tolerance", type=float, default=math.nan)
+    diff.add_argument("--all", action="store_true")
     plots = commands.add_parser("plots")
     plots.add_argument("folder")
     plots.add_argument("names", nargs="+")
@@ -95,6 +99,20 @@ def _report(a: argparse.Namespace) -> None:
         print(f"report: {a.output}")
 
 
+def _diff(a: argparse.Namespace) -> int:
+    """6: more apart than was asked for."""
+    from . import differences
+    found = differences.between(*a.folders, _warn)
+    apart = sum(one.share > 0 for one in found.quantities)
+    print(f"{found.rows} rows of history and {found.snapshots} snapshots at the same times: {len(found.quantities)} quantities, {apart} of them differ")
+    for run, folder in enumerate(a.folders):
+        if found.lone(run):
+            print(f"only in {folder}: {found.lone(run, None if a.all else 8)}")
+    if apart:
+        print(found.table(None if a.all else 20))
+    return 0 if math.isnan(a.tolerance) or found.share <= a.tolerance else 6
+
+
 def _plots(a: argparse.Namespace) -> None:
     from . import figures
     figures.draw_files(a.folder, a.names)
@@ -107,7 +125,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         from .files import Refused
         try:
-            {"picture": _picture, "report": _report, "plots": _plots}[a.command](a)
+            return {"picture": _picture, "report": _report, "plots": _plots, "diff": _diff}[a.command](a) or 0
         except Refused as error:
             _say("error", str(error))
             return error.status
@@ -119,4 +137,3 @@ def main(arguments: list[str] | None = None) -> int:
         return 5
     except BrokenPipeError:
         return 4
-    return 0

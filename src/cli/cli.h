@@ -39,6 +39,7 @@ int cmd_study(cli *c, int argc, char **argv);
 int cmd_stability(cli *c, int argc, char **argv);
 int cmd_picture(cli *c, int argc, char **argv);
 int cmd_report(cli *c, int argc, char **argv);
+int cmd_diff(cli *c, int argc, char **argv);
 int cmd_list(cli *c, int argc, char **argv);
 int cmd_new(cli *c, int argc, char **argv);
 /* Explains a key of decks, whole or by its last word; the exit status. */

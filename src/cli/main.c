@@ -20,6 +20,7 @@ const cli_command cli_commands[] = {
     {"stability", "Find how large a value keeps a scene stable, or map two values", cmd_stability, true},
     {"picture", "Draw snapshots of a run: points and cells in colour, as PNG", cmd_picture, true},
     {"report", "Make one page of HTML of the results in folders", cmd_report, false},
+    {"diff", "Compare the results of two runs", cmd_diff, true},
     {"list", "List what decks can name: materials, shapes, metrics, ...", cmd_list, false},
     {"new", "Write a deck to start from, a JSON schema, shell completion", cmd_new, false},
 };

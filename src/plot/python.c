@@ -94,6 +94,6 @@ floe_status python_run(context *ctx, const char *const *argument, size_t n, cons
                     status == MISSING_PACKAGE ? "lacks a package for pictures and pages"
                                               : "is not there, and pictures and pages need Python");
     if (status < 0 || status == 1)
-        return fail(ctx, FLOE_IO, "'%s' has failed to make a picture, a plot or a page", interpreter());
+        return fail(ctx, FLOE_IO, "'%s' has failed to make a picture, a plot, a page or a comparison", interpreter());
     return FLOE_OK;
 }
