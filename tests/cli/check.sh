@@ -303,6 +303,12 @@ for transfer in flip apic; do
     elif grep -q 'sink between' stderr; then fault 'apic is warned of'; fi
 done
 
+# A target of pressure below what is there takes energy out.
+expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/pressurized_cylinder.yaml"
+if grep -q 'takes energy out' stderr; then fault 'a cylinder that is pressurised is warned of'; fi
+expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/pressurized_cylinder.yaml" --set bodies.bore.pressure=25e6
+has stderr 'starts at 2.5e+07 Pa, and its mean is brought to'
+
 # What is fixed leaves no side: there is nothing to warn of.
 block='bodies={wall: {material: steel, shape: {box: {lower: 0, upper: 0.5}}MOTION}}'
 for motion in '' ', motion: fixed'; do
