@@ -82,6 +82,8 @@ def _picture(a: argparse.Namespace) -> None:
     from . import pictures  # and matplotlib, once there is something to draw
     options = pictures.Options(a.points, a.cells, a.range, a.dark, a.width, a.plane, a.mirror, a.view)
     if not a.all and not math.isnan(a.time):
+        if not found[0].time * (1 - 1e-9) <= a.time <= found[-1].time * (1 + 1e-9):
+            _warn(f"there are snapshots from {found[0].time:g} to {found[-1].time:g} {found[0].time_unit}, and none at {a.time:g}: the nearest is shown")
         found = [min(found, key=lambda one: abs(one.time - a.time))]
     ranges = pictures.common_ranges(pictures.make_sheet(one, options) for one in found) if a.all else None
     for one in found:

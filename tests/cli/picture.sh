@@ -34,6 +34,10 @@ expect 0 "$FLOE" picture ice-mpm --points none --all
 [ "$(wc -l <stdout)" = "$(find ice-mpm/fields -name '*.h5' | wc -l)" ] || fault 'not one picture a snapshot'
 while read -r file; do png "$file"; done <stdout
 
+# A time beyond the run is told.
+expect 0 "$FLOE" picture mpm --time 5 -o beyond.png
+has stderr 'and none at 5: the nearest is shown'
+
 # Errors: what there is instead.
 expect 2 "$FLOE" picture mpm --points stress
 has stderr "there is no field 'stress' of points"
