@@ -69,7 +69,7 @@ def main():
     if not arguments.no_look:
         look(state, trees["note"], mutants, arguments.longest)
     runner = Runner(trees["switch"])
-    commit = source_hash(names)
+    commit = state.data.get("built") or source_hash(names)
     started = time.monotonic()
     for s in in_order(state, runner, mutants[:arguments.first], arguments):
         known = state.data["mutants"].get(s.key())

@@ -105,7 +105,7 @@ static void check_units(subject *s, void *user, tally *count)
     const bool done = run_scaled(s, &none, steps, &expected);
     const bool has_formulas = s->t.scene && s->t.scene->n_formulas > 0; /* which are of SI themselves */
     subject_end(s);
-    for (size_t k = 0; !has_formulas && k < (getenv("FLOE_EVERY") ? 2 : 1); ++k) {
+    for (size_t k = 0; !has_formulas && k < (check_at_length() ? 2 : 1); ++k) {
         state found = {0};
         const bool as_well = run_scaled(s, &other[k], steps, &found) == done;
         const difference d = s->t.sim ? differ(&s->t.sim->mesh, &other[k], &expected, &found) : (difference){0};
@@ -119,7 +119,7 @@ static void check_units(subject *s, void *user, tally *count)
 static void test_units(void **unused)
 {
     (void)unused;
-    long steps = getenv("FLOE_EVERY") ? 60 : 12;
+    long steps = check_at_length() ? 60 : 12;
     tally count = {0};
     check_decks(true, check_units, &steps, &count);
     print_tally("units", &count);

@@ -182,19 +182,20 @@ FIXTURE bool add_absent(scene *s, transformation *k)
     return false;
 }
 
-/* A plane scene as a slab of one cell between mirrors, so deep that its depth is nothing to the time step. */
+/* A plane scene as a slab of one cell between mirrors, a line as a strip, so deep that its depth is nothing to the time step. */
 FIXTURE bool thicken(scene *s, transformation *k)
 {
-    if (s->mesh.dim != 2 || s->mesh.geometry == MESH_AXISYMMETRIC || s->stress_state != STRESS_FULL) return false;
+    const int axis = s->mesh.dim;
+    if (axis == 3 || s->mesh.geometry == MESH_AXISYMMETRIC || s->stress_state != STRESS_FULL) return false;
     map_scene(s, &k->map);
     if (!has_boxes_alone(s)) return false;
-    s->mesh.dim = 3;
-    s->mesh.lower[2] = 0.0;
-    s->mesh.upper[2] = s->mesh.cell[2] = k->depth = 0x1p30;
-    s->mesh.periodic[2] = false;
-    s->mesh.blocks[2] = 1;
+    s->mesh.dim = axis + 1;
+    s->mesh.lower[axis] = 0.0;
+    s->mesh.upper[axis] = s->mesh.cell[axis] = k->depth = 0x1p30;
+    s->mesh.periodic[axis] = false;
+    s->mesh.blocks[axis] = 1;
     for (int side = 0; side < 2; ++side)
-        s->bc.side[2][side] = (bc_side){.kind = BC_SYMMETRY, .temperature = (double)NAN, .material = -1};
+        s->bc.side[axis][side] = (bc_side){.kind = BC_SYMMETRY, .temperature = (double)NAN, .material = -1};
     return true;
 }
 

@@ -98,6 +98,7 @@ def build(names, draw, mutants, trees, state):
         tree.configure()
         tree.make()
         print(f"built  {style}: {cpu_of_children() - before:.0f} s of CPU so far", flush=True)
+    state.data["built"] = source_hash(names)
     state.add_cpu("build", before)
     state.save()
 
@@ -218,6 +219,8 @@ def try_mutant(state, runner, site, commit, longest, most):
             break
         passed[name] = mark
     result["passed"] = passed
+    same = not known or known["commit"] == commit  # what the sources and tests of its first run said, with all calls on them
+    result["first"] = result["status"] if same else known.get("first", known["status"])
     if site.rebuild:
         runner.tree.put(site.path, kept.encode())
         runner.tree.make()
