@@ -86,7 +86,7 @@ static void test_energy(void **unused)
         before = drift;
     }
     check_true(before <= 2.5e-4);
-    check_true(energy_drift(0.00625, 0.1) <= 2e-3);
+    check_true(energy_drift(0.00625, 0.1) <= 1.5e-3);
 }
 
 /* Two solids of different stuff, each with a velocity field of its own at the nodes, that close in on each other through the gas. */

@@ -42,10 +42,10 @@ static void test_stream(void **unused)
     print_message("stream: pressure off by %.2g, velocity by %.2g of themselves\n", worst,
                   fabs(m.momentum[0][0] / m.mass[0] / 30.0 - 1.0));
     check_true(worst < 4e-7);
-    check_close_relative(m.momentum[0][0], 30.0 * m.mass[0], 2e-9);
+    check_close_relative(m.momentum[0][0], 30.0 * m.mass[0], 4e-10);
     check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MASS) < 1e-13);
     check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_X) < 1e-13);
-    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 1e-9);
+    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 2e-12);
     check_close(ice_mass_beyond(t.sim->ice, 0), 0.0, 0.0);
     trial_end(&t);
 }
@@ -124,7 +124,7 @@ static void test_ring(void **unused)
     trial_run(&t, 4e-3);
     visit_points(&t, 0, add_trace, &s);
     print_message("ring: equation 13 %.4f\n", s.error / s.weight);
-    check_true(s.error / s.weight < 0.038);
+    check_true(s.error / s.weight < 0.03);
     check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) < 1e-12);
     check_close(ice_mass_beyond(t.sim->ice, 0), 0.0, 0.0);
     trial_end(&t);

@@ -93,7 +93,7 @@ static double collide(bool gas, double h)
     trial_run(&t, 0.02);
     const double v[2] = {velocity_of(&t, 0, 0), velocity_of(&t, 1, 0)};
     print_message("h %g, %s: %.4f and %.4f m/s\n", h, gas ? "thin gas" : "no gas", v[0], v[1]);
-    check_close(v[0], -v[1], 5e-3);
+    check_close(v[0], -v[1], 1.2e-4);
     if (gas) check_ledger(&t, 6e-11);
     trial_end(&t);
     return v[0];
@@ -102,7 +102,7 @@ static double collide(bool gas, double h)
 static void test_collide(void **unused)
 {
     (void)unused;
-    check_close_relative(collide(true, 0.05), collide(false, 0.05), 0.05);
+    check_close_relative(collide(true, 0.05), collide(false, 0.05), 0.03);
     if (check_at_length()) check_close_relative(collide(true, 0.025), collide(false, 0.025), 0.025);
 }
 

@@ -292,7 +292,7 @@ static void mended_trace(void **unused)
     printf("%g %g %g %g\n", rho, field_next(next, C_RHO, 1, 0)[at], field_next(next, C_ENERGY, 1, 0)[at],
            f.ledger.pending[LEDGER_ENERGY][LEDGER_DEFECT]);
     check_close_relative(field_next(next, C_RHO, 1, 0)[at], rho, 1e-9);
-    check_close_relative(field_next(next, C_ENERGY, 1, 0)[at], 300.0 * 300.0, 1e-9);
+    check_close_relative(field_next(next, C_ENERGY, 1, 0)[at], 300.0 * 300.0, 2e-12);
     check_close_relative(f.ledger.pending[LEDGER_ENERGY][LEDGER_DEFECT], rho * (300.0 * 300.0 + 10.0) * 0.25, 1e-9);
     fixture_destroy(&f);
 }

@@ -73,7 +73,7 @@ static void error_and_order(void **state)
         fixture_destroy(&f);
     }
     check_true(error[1] <= 0.0026);
-    check_true(fabs(shock) <= 1.2e-3);
+    check_true(fabs(shock) <= 8e-4);
     const double order = fitted_order(3, h, error);
     printf("sod order %.3f\n", order);
     check_true(order >= 0.85);
@@ -109,8 +109,8 @@ static void rings_little(void **state)
     double over, under;
     extremes(&f, &over, &under);
     printf("sod 200 cells: density %.3f %% above and %.3f %% below what it should be\n", 100.0 * over, 100.0 * under);
-    check_true(over <= 0.005);
-    check_true(under <= 0.005);
+    check_true(over <= 1.5e-3);
+    check_true(under <= 2e-3);
     fixture_destroy(&f);
 }
 
@@ -155,7 +155,7 @@ static void contact(void **state)
     printf("contact: L1(rho) %.6f, %.6f, pressure off by %.2e\n", error[0], error[1], worst);
     check_true(error[0] <= 0.0065);
     check_true(error[1] <= 0.52 * error[0]);
-    check_true(worst <= 3e-3);
+    check_true(worst <= 1e-11);
 }
 
 int main(void)

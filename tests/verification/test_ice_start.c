@@ -127,7 +127,7 @@ static void between_outlets(void **unused)
     const double *u = fixture_array(&f, C_VEL, 0, 1);
     const double fallen = u[mesh_index(&f.mesh.block[0], 4, 30, 0)] / (-9.81 * f.time);
     print_message("between outlets: %.12f of free fall\n", fallen);
-    check_close(fallen, 1.0, 1e-9);
+    check_close(fallen, 1.0, 2e-12);
     fixture_destroy(&f);
 }
 

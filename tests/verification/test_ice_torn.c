@@ -43,7 +43,7 @@ static void tear(double fraction, double speed)
     check_true(after.internal[air] > 0.0 && after.internal[air] < before.internal[air] + motion);
     check_true(after.kinetic[water] < motion);
     check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MASS) < 1e-12);
-    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 1.2e-9);
+    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 1.2e-10);
     trial_end(&t);
 }
 

@@ -128,7 +128,7 @@ static void test_collision(void **unused)
         trial_run(&t, 2.0);
         check_true(largest_difference(&t) > 1e-6); /* it was at work */
         const sums after = sum_points(&t, none);
-        for (int k = 0; k < 2; ++k) check_close(after.momentum[k], 0.0, 1e-9); /* nodes all but empty take no force */
+        for (int k = 0; k < 2; ++k) check_close(after.momentum[k], 0.0, 4e-11); /* nodes all but empty take no force */
         check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) <= 1e-13);
         check_true(kinetic(&t) <= 0.5 * 0.045 * 2.0 * pi * 0.09 * 1.0);
         const double energy = ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY);
@@ -177,9 +177,9 @@ static void test_cylinder(void **unused)
 {
     (void)unused;
     check_close(cylinder_error("domain.cell=0.1", "method.stress=usl"), 2.33, 0.08);
-    check_close(cylinder_error("domain.cell=0.05", "method.stress=usl"), 0.40, 0.05);
+    check_close(cylinder_error("domain.cell=0.05", "method.stress=usl"), 0.40, 0.03);
     check_close(cylinder_error("domain.cell=0.1", "method.stress=musl"), 2.33, 0.09);
-    check_close(cylinder_error("domain.cell=0.1", "method.stress=usf"), 2.33, 0.09);
+    check_close(cylinder_error("domain.cell=0.1", "method.stress=usf"), 2.33, 0.06);
     check_close(cylinder_error("domain.cell=0.1", "time.solver=static"), 2.33, 0.08);
     check_close(cylinder_error("domain.cell=0.05", "time.solver=static"), 0.40, 0.024);
     check_close(cylinder_error("domain.cell=0.025", "time.solver=static"), 0.138, 0.0077);
@@ -253,7 +253,7 @@ static void test_small_rings(void **unused)
             check_true(with <= (basis == 2 ? 1.0 : rings[k].most) * without);
         }
     const ring_case thick = {0.43, 0.91, 0.024, 1.0};
-    check_true(ring_error(&thick, "quadratic", "null") <= 0.01);
+    check_true(ring_error(&thick, "quadratic", "null") <= 8e-3);
 }
 
 /* Points newly reach a node while the load grows: it is held at once. The error falls with h (28.8 and 13.3 %). */
@@ -332,7 +332,7 @@ static void test_elastica(void **unused)
     visit_points(&t, 0, add_height, &after);
     const double sunk = (before.moment / before.mass - after.moment / after.mass) / 2.0;
     print_message("elastica: middle sinks by %.5f\n", sunk);
-    check_close_relative(sunk, 0.17256, 0.06);
+    check_close_relative(sunk, 0.17256, 0.03);
     trial_end(&t);
 }
 

@@ -115,7 +115,7 @@ static void test_implicit(void **unused)
         {"time.solver=implicit", "time.increments=140", "domain.cell=0.03125", "bodies.bar.points=4"}};
     const double error = first_error(&bar, 1e-4); /* measured 7e-5, and 4e-5 without the force */
     print_message("implicit: %.2e\n", error);
-    check_true(error <= 1e-3);
+    check_true(error <= 8e-4);
 }
 
 static state ring_run(int blocks, int threads, const char *path)

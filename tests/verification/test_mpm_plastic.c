@@ -107,7 +107,7 @@ static void test_waves(void **state)
             check_true(coarse.strain >= 1.7 * fine.strain);
             check_true(fine.plateau_stress <= 2e-3); /* 1.1e-3 */
             check_true(fine.plateau_strain <= 4e-3); /* 2.2e-3 */
-            check_true(fine.energy <= 4e-3);         /* 2.7e-3 */
+            check_true(fine.energy <= 8e-4);         /* 3.6e-4 */
         }
 }
 

@@ -71,9 +71,9 @@ static void test_mirror(void **state)
             sim_totals a, b;
             check_ok(t[0].ctx, sim_sum(t[0].sim, &a));
             check_ok(t[1].ctx, sim_sum(t[1].sim, &b));
-            check_close(a.momentum[axis], -b.momentum[axis], 1e-9);
-            check_close(a.momentum[1 - axis], b.momentum[1 - axis], 1e-9);
-            check_close_relative(a.kinetic + a.strain, b.kinetic + b.strain, 1e-9);
+            check_close(a.momentum[axis], -b.momentum[axis], 2e-12);
+            check_close(a.momentum[1 - axis], b.momentum[1 - axis], 2e-12);
+            check_close_relative(a.kinetic + a.strain, b.kinetic + b.strain, 2e-12);
             check_true(a.momentum[axis] < 0.7 * 0.9 * a.mass); /* the wall was met */
             for (int k = 0; k < 2; ++k) {
                 check_true(ledger_worst(&t[k], LEDGER_MASS, LEDGER_MOMENTUM_Y) <= 1e-12);

@@ -15,7 +15,8 @@ sizes or names of choices (one more changes no value); `{0}`, which is C's word 
 
 Which tests could see a mutant is found by a build in which each site notes whether its mutant's value has ever differed from its own: where it never
 has, the run of that test would be the same to the bit. Those tests are run with the mutant in force, the cheapest first, each under a limit of three
-times its CPU time, and the first that fails ends it. Left out are `source_rules`, `cli_install` and `cli_widths`, and the nightly tests.
+times its CPU time, and the first that fails ends it. An index beyond an array of known size ends a run, too: the nightly tests with sanitizers see it.
+Left out are `source_rules`, `cli_install` and `cli_widths`, and the nightly tests.
 """
 
 
