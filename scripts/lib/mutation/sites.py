@@ -111,7 +111,7 @@ def right_end(text, tokens, other, i, level):
         if t.text in ("(", "[") or (t.text == "{" and tokens[k - 1].text == ")"):
             k = other[k] + 1
             continue
-        if t.text in CLOSING or t.text in ("{", ";", ",", "?", ":") or t.text in ASSIGN:
+        if t.text in CLOSING or t.text in ("{", ";", ",") or t.text in ASSIGN or (level >= 0 and t.text in ("?", ":")):
             break
         if k > i + 1 and is_binary(text, tokens, k) and LEVEL[t.text] <= level:
             break
