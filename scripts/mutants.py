@@ -19,7 +19,7 @@ sys.path.insert(0, os.path.join(ROOT, "scripts", "lib"))
 sys.dont_write_bytecode = True
 from mutation import page  # noqa: E402
 from mutation.draw import plan, module_of  # noqa: E402
-from mutation.tests import Runner, State, build, candidates, look, source_hash, try_mutant  # noqa: E402
+from mutation.tests import Runner, State, build, candidates, look, marks_of_draw, source_hash, try_mutant  # noqa: E402
 
 
 def show(mutants, state):
@@ -69,7 +69,7 @@ def main():
     if not arguments.no_look:
         look(state, trees["note"], mutants, arguments.longest)
     runner = Runner(trees["switch"])
-    commit = state.data.get("built") or source_hash(names)
+    commit, marks = state.data.get("built") or source_hash(names), marks_of_draw(state, runner, arguments.seed)
     started = time.monotonic()
     for s in in_order(state, runner, mutants[:arguments.first], arguments):
         known = state.data["mutants"].get(s.key())
@@ -83,7 +83,7 @@ def main():
         if sum(state.data["cpu"].values()) > 3600.0 * arguments.hours:
             print("the CPU hours are spent", flush=True)
             break
-        r = try_mutant(state, runner, s, commit, arguments.longest, arguments.most)
+        r = try_mutant(state, runner, s, commit, marks, arguments.longest, arguments.most)
         print(f"{s.order:4d} {r['status']} {s.path}:{s.line} `{s.token}` -> `{s.changed}` {r['by']} {r['said']} ({r['ran']} tests, {r['cpu']:.1f} s)",
               flush=True)
     print(f"{time.monotonic() - started:.0f} s", flush=True)

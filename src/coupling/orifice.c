@@ -36,6 +36,7 @@ typedef struct orifice_system {
     const orifice_side *side;
     double area;
     bool one_way;
+    int from; /* the side of the higher pressure at the start of the step: gas that has come to one pressure does not flow back */
 } orifice_system;
 
 static orifice_side side_of(const orifice_system *q, const double *state, int k)
@@ -55,10 +56,11 @@ static double excess_pressure(const orifice_system *q, const double *state)
 
 static void find_rates(const orifice_system *q, const double *state, double *rate)
 {
-    const int from = excess_pressure(q, state) >= 0.0 ? 0 : 1;
+    const int from = q->from;
+    const double excess = excess_pressure(q, state);
     const orifice_side up = side_of(q, state, from), down = side_of(q, state, 1 - from);
     memset(rate, 0, STATE_SIZE * sizeof *rate);
-    if (!(up.mass > 0.0) || (from == 1 && q->one_way)) return;
+    if (!(up.mass > 0.0) || (from == 1 && q->one_way) || !(from == 0 ? excess > 0.0 : excess < 0.0)) return;
     const double pressure = orifice_pressure(&up), work = (up.gamma - 1.0) * up.energy / up.mass;
     if (!(pressure > 0.0)) return;
     const double mass = q->area * orifice_mass_flux(up.gamma, pressure, work, orifice_pressure(&down)),
@@ -106,8 +108,9 @@ static int substeps_of(const orifice_system *q, const double *state, double dt)
 
 void orifice_pass(const orifice_side side[2], double area, bool one_way, double dt, orifice_flow out[2])
 {
-    const orifice_system q = {side, area, one_way};
+    orifice_system q = {.side = side, .area = area, .one_way = one_way};
     double state[STATE_SIZE] = {side[0].mass, side[0].energy, side[1].mass, side[1].energy};
+    q.from = excess_pressure(&q, state) >= 0.0 ? 0 : 1;
     const int steps = substeps_of(&q, state, dt);
     for (int k = 0; k < steps; ++k) {
         double next[STATE_SIZE];

@@ -34,14 +34,14 @@ class Count:
         self.equal = [s for s in survived if s.key() in proofs]
         self.alive = [s for s in survived if s.key() not in proofs]
         self.killed = len(self.run) - len(survived)
-        self.first = sum(1 for s in self.run if known[s.order].get("first", known[s.order]["status"]) == "killed")
+        self.first = sum(1 for s in self.run if known[s.order]["status"] == "killed" and known[s.order].get("unlooked", True))
 
     @property
     def share(self):
         return self.killed / max(1, self.killed + len(self.alive))
 
     def told_first(self):
-        """What the tests saw that were there when it was drawn."""
+        """What is seen by tests that were there, as they are, when it was drawn."""
         share = self.first / max(1, self.killed + len(self.alive))
         return f"**{self.first}**, {100.0 * share:.1f} % of those that are not equivalent"
 
@@ -90,7 +90,7 @@ def lines_of(seed, draw, mutants, state, names):
              f"* Drawn: {len(mutants)} by seed {seed}, {len(mutants) // len(DRAWN)} a module; run: **{len(all_of.run)}**; killed: **{all_of.killed}**; "
              f"proved equivalent afterwards: {len(all_of.equal)}; alive after all tests that could see them: **{len(alive)}**; "
              f"alive so far, with the longer tests still to be run: **{len(open_ones)}**.",
-             f"* Killed when it was drawn, before a test was written for what it had left alive: {all_of.told_first()}.",
+             f"* Killed by tests that were there when it was drawn, and have not changed since: {all_of.told_first()}.",
              f"* Killed, of those that are not equivalent: **{100.0 * all_of.share:.1f} %** at least; the bar is 95 %.",
              f"* Sources: commit {base_commit()}{', with changes after it' if base_commit() != head() else ''}. Hash of `src`, `tests` and `inputs` when they were run: {', '.join(sorted({k['commit'] for k in known.values() if k}))}.",
              f"* CPU time: {cpu['build'] / 60:.0f} min of building, {cpu['look'] / 60:.0f} min of looking which tests see which, {cpu['run'] / 60:.0f} min of running; "
@@ -111,7 +111,7 @@ def lines_of_fresh(seed, mutants, state):
     """Another draw: how many are killed that nobody looked for."""
     known, proofs, why = {s.order: state.data["mutants"].get(s.key()) for s in mutants}, entries("equivalent.txt"), entries("survivors.txt")
     c = Count(mutants, known, proofs)
-    lines = ["", f"## Another draw, seed {seed}", "", f"What is seen of faults that nobody looked for: killed when it was drawn, before a test was written for what it had left alive: "
+    lines = ["", f"## Another draw, seed {seed}", "", f"What is seen of faults that nobody looked for: killed by tests that were there when it was drawn, and have not changed since: "
              f"{c.told_first()}. Drawn: {c.drawn}; run: {len(c.run)}; killed: **{c.killed}**; proved equivalent: {len(c.equal)}; alive so far: {len(c.alive)}. "
              f"Killed, of those that are not equivalent: **{100.0 * c.share:.1f} %** at least.", ""]
     return lines + [alive_of(s, known[s.order], why, state.data["tests"]) for s in c.alive]

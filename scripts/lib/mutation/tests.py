@@ -191,7 +191,13 @@ def candidates(state, runner, site, killer, longest):
     return sorted(score, key=score.get)
 
 
-def try_mutant(state, runner, site, commit, longest, most):
+def marks_of_draw(state, runner, seed):
+    """The texts of the tests that there were when a draw was first run: what they see, nobody wrote for it."""
+    marks = state.data.setdefault("marks", {})
+    return marks.setdefault(str(seed), {name: test_mark(argv) for name, (argv, _, _) in runner.tests.items()})
+
+
+def try_mutant(state, runner, site, commit, marks, longest, most):
     known = state.data["mutants"].get(site.key(), {})
     before, tests = cpu_of_children(), candidates(state, runner, site, known.get("by"), longest)
     result = {"status": "survived", "by": "", "said": "", "ran": 0, "commit": commit}
@@ -219,8 +225,8 @@ def try_mutant(state, runner, site, commit, longest, most):
             break
         passed[name] = mark
     result["passed"] = passed
-    same = not known or known["commit"] == commit  # what the sources and tests of its first run said, with all calls on them
-    result["first"] = result["status"] if same else known.get("first", known["status"])
+    killer = result["by"]
+    result["unlooked"] = bool(killer) and test_mark(runner.tests[killer][0]) == marks.get(killer)
     if site.rebuild:
         runner.tree.put(site.path, kept.encode())
         runner.tree.make()
