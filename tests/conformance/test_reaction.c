@@ -157,9 +157,47 @@ static void shared_reactant(void **unused)
     context_destroy(&ctx);
 }
 
+/* The two orders of Bogacki and Shampine's pair apart, of a unit that decays over a step z: the weights of the second order are 7/24, 1/4, 1/3, 1/8. */
+static double reacted_apart(double z)
+{
+    const double k1 = 1.0, k2 = 1.0 - 0.5 * z * k1, k3 = 1.0 - 0.75 * z * k2;
+    const double third = z * (2.0 * k1 + 3.0 * k2 + 4.0 * k3) / 9.0, k4 = 1.0 - third;
+    return fabs(third - z * (7.0 / 24.0 * k1 + 0.25 * k2 + k3 / 3.0 + 0.125 * k4));
+}
+
+/* What decays at a fixed rate is known: a short step is one of the third order, whose error estimate lets it pass and whose sum is that of the
+ * exponential's first terms, to round-off; over a longer one the estimate is too large, and the exponential itself is found to the tolerance. */
+static void decay(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    const reaction_model *m = reaction_find("threshold");
+    double par[MAX_PAR] = {0.0};
+    assert_non_null(m);
+    *param_find(m->params, m->n_params, par, "temperature") = 300.0;
+    *param_find(m->params, m->n_params, par, "time") = 1.0;
+    const reaction one = {m, par, 0, 1, 0.0};
+    reaction_solver *s;
+    check_ok(ctx, reaction_create(&s, ctx, 1, &one));
+    for (double z = 1e-5; z < 0.5; z *= 1.3) {
+        const reaction_cell cell = {
+            .n = 2, .rho = {4.0}, .e = {1e6, 1e6}, .T = {1e3, 1e3}, .cv = {1e3, 1e3}, .density = {1.0, 1.0}, .p = 1e5};
+        double reacted;
+        check_true(reaction_integrate(s, &cell, z, &reacted));
+        const double terms = 4.0 * z * (1.0 - z * (0.5 - z / 6.0)), exact = -4.0 * expm1(-z);
+        const double estimate = reacted_apart(z) / (1e-9 * z + 1e-13);
+        if (estimate < 0.99) check_close_relative(reacted, terms, 4e-15);
+        if (estimate > 1.01) check_true(fabs(reacted / terms - 1.0) > 1e-14);
+        check_close_relative(reacted, exact, 2e-8);
+    }
+    reaction_destroy(ctx, &s);
+    context_destroy(&ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(decay),
         cmocka_unit_test(rates),
         cmocka_unit_test(bounds),
         cmocka_unit_test(shared_reactant),

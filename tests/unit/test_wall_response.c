@@ -58,9 +58,33 @@ static void areas_add_up(void **state)
     wall_response_free(&w);
 }
 
+/* What a cell's pressure does as more flows out of it, and its slope. */
+static void pressure_falls_with_flux(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 3;
+    for (int n = 0; n < 1000; ++n) {
+        const wall_cell c = {.stiffness = check_random(&seed, 1.0, 3.0),
+                             .squeeze = check_random(&seed, -2.0, 2.0),
+                             .per_flux = check_random(&seed, 0.5, 2.0),
+                             .linear = check_random(&seed, 1.0, 2.0),
+                             .square = check_random(&seed, 0.5, 1.0)};
+        const double y = check_random(&seed, -2.0, 2.0), was = fmax(c.squeeze, 0.0),
+                     is = fmax(c.squeeze - c.per_flux * y, 0.0);
+        const double bulk = c.linear * (is - was) + c.square * (is * is - was * was), step = 1e-4;
+        check_close(wall_pressure_change(&c, y), bulk - c.stiffness * y, 1e-14 * 50.0);
+        check_close(wall_pressure_change(&c, 0.0), 0.0, 0.0);
+        const double from = c.squeeze - c.per_flux * (y - step), to = c.squeeze - c.per_flux * (y + step);
+        if ((from > 0.0) != (to > 0.0)) continue; /* across the kink there is no one slope */
+        check_close((wall_pressure_change(&c, y - step) - wall_pressure_change(&c, y + step)) / (2.0 * step),
+                    wall_pressure_slope(&c, y), 1e-9);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pressure_falls_with_flux),
         cmocka_unit_test_setup_teardown(areas_add_up, check_make_context, check_drop_context),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
