@@ -1,93 +1,5 @@
 /* Figures of a study, exactly: what their curves and their front are, and which case's profile a group shows. */
-#include "check.h"
-
-#include "base/memory.h"
-#include "io/file.h"
-#include "study/study_internal.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-enum { GROUPS = 3, SPACINGS = 3, CASES = GROUPS * SPACINGS, PATH = 512, TEXT = 8192 };
-
-typedef struct fixture {
-    context *ctx;
-    study s;
-    study_options options;
-    study_case list[CASES];
-    batch_case run[CASES];
-    char group[GROUPS][STUDY_LABEL];
-    char dir[PATH];
-} fixture;
-
-static void put_profile(const fixture *f, int k, const char *text)
-{
-    char path[4 * PATH];
-    (void)snprintf(path, sizeof path, "%s/%s", f->dir, f->run[k].folder);
-    assert_int_equal(mkdir(path, 0700), 0);
-    (void)snprintf(path, sizeof path, "%s/%s/profile.csv", f->dir, f->run[k].folder);
-    check_ok(f->ctx, file_replace_text(f->ctx, path, text));
-}
-
-/* Errors fall by halves and quarters, times double; of the second group the finest case has diverged, of the third all have. */
-static int set_up(void **state)
-{
-    static fixture f;
-    static const char *const name[GROUPS] = {"mpm", "ice-mpm", "ice"};
-    f = (fixture){.ctx = context_create(), .options = {.name = "study"}};
-    (void)snprintf(f.dir, sizeof f.dir, "figure_XXXXXX");
-    if (!f.ctx || !mkdtemp(f.dir)) return -1;
-    f.options.batch.dir = f.dir;
-    f.s = (study){.ctx = f.ctx,
-                  .options = &f.options,
-                  .list = f.list,
-                  .run = f.run,
-                  .n = CASES,
-                  .n_groups = GROUPS,
-                  .group = f.group,
-                  .over = 1,
-                  .title = "bar",
-                  .exact = "lame",
-                  .metric = {"l2rel_density"},
-                  .n_metrics = 1};
-    f.s.axes.n = 2;
-    f.s.axes.axis[0] = (scene_axis){.key = "coupling", .value = {"mpm", "ice-mpm", "ice"}, .n_values = GROUPS};
-    f.s.axes.axis[1] = (scene_axis){.key = "domain.cell", .value = {"0.4", "0.2", "0.1"}, .n_values = SPACINGS};
-    f.s.plan.n_quantities = 1;
-    (void)snprintf(f.s.plan.quantity[0], sizeof f.s.plan.quantity[0], "kinetic");
-    for (int k = 0; k < CASES; k++) {
-        const int g = k / SPACINGS, i = k % SPACINGS;
-        study_case *one = &f.list[k];
-        run_summary *r = &f.run[k].summary;
-        const double h = 0.4 / (1 << i), error = (g == 0 ? 0.16 : 0.32) / (1 << (g + 1) * i);
-        *one = (study_case){.pick = {g, i}, .group = (size_t)g, .h = h, .over = h, .run = &f.run[k]};
-        one->timing.least = (g + 1) * (1 << i);
-        one->quantity[0] = g == 0 ? 3.0 + h : (double)NAN;
-        f.run[k].state = BATCH_ENDED;
-        f.run[k].ran = true;
-        f.run[k].status = g == 2 || k == 5 ? FLOE_DIVERGED : FLOE_OK;
-        r->point_updates = 1000.0 * one->timing.least;
-        r->n_errors = 1;
-        r->errors[0] = (summary_value){"l2rel_density", error};
-        (void)snprintf(f.run[k].folder, sizeof f.run[k].folder, "case-%d", k);
-        (void)snprintf(f.group[g], STUDY_LABEL, "%s", name[g]);
-    }
-    *state = &f;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    fixture *f = *state;
-    char command[PATH + 16];
-    (void)snprintf(command, sizeof command, "rm -rf '%s'", f->dir);
-    const int status = system(command);
-    context_destroy(&f->ctx);
-    return status;
-}
+#include "study_cases_fixture.h"
 
 static void check_file(const fixture *f, const char *name, const char *wanted)
 {
@@ -157,6 +69,29 @@ static void profiles_are_of_the_finest_cases(void **state)
                "\"\",\"ice-mpm\",1.5,0.5,\n");
 }
 
+/* Beside errors over the spacing stand lines of the first and second order; over costs none. */
+static void slopes_are_of_both_orders(void **state)
+{
+    const fixture *f = *state;
+    char path[2 * PATH], *text;
+    int found = 0;
+    check_ok(f->ctx, study_write_figures(&f->s));
+    (void)snprintf(path, sizeof path, "%s/errors.json", f->dir);
+    check_ok(f->ctx, file_read(f->ctx, path, &text, NULL));
+    json_t *all = json_loads(text, 0, NULL), *panels = json_object_get(all, "panels");
+    memory_free(f->ctx, &text);
+    assert_int_equal(json_array_size(panels), 3);
+    for (size_t k = 0; k < 3; ++k) {
+        const json_t *slopes = json_object_get(json_array_get(panels, k), "slopes");
+        if (json_array_size(slopes) == 0) continue;
+        assert_int_equal(json_array_size(slopes), 2);
+        for (size_t n = 0; n < 2; ++n) check_close(json_number_value(json_array_get(slopes, n)), (double)(n + 1), 0.0);
+        found++;
+    }
+    assert_int_equal(found, 1);
+    json_decref(all);
+}
+
 /* All rows of the profiles that are shown, each with its group and spacing; the names once. */
 static void profiles_are_one_table(void **state)
 {
@@ -174,6 +109,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(curves_go_from_coarse_to_fine, set_up, tear_down),
         cmocka_unit_test_setup_teardown(profiles_are_of_the_finest_cases, set_up, tear_down),
         cmocka_unit_test_setup_teardown(profiles_are_one_table, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(slopes_are_of_both_orders, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
