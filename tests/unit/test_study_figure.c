@@ -69,6 +69,31 @@ static void profiles_are_of_the_finest_cases(void **state)
                "\"\",\"ice-mpm\",1.5,0.5,\n");
 }
 
+/* As many quantities as a figure has panels, and one more, which it leaves out. */
+static void as_many_panels_as_there_may_be(void **state)
+{
+    enum { PANELS = 64 };
+    const fixture *f = *state;
+    char path[2 * PATH], *text, names[TEXT] = "r (m)", numbers[TEXT] = "1";
+    for (int k = 0; k <= PANELS; ++k) {
+        const size_t at = strlen(names), to = strlen(numbers);
+        (void)snprintf(names + at, sizeof names - at, ",q%d (m/s),exact_q%d (m/s)", k, k);
+        (void)snprintf(numbers + to, sizeof numbers - to, ",%d,%d", k, -k);
+    }
+    (void)snprintf(names + strlen(names), sizeof names - strlen(names), "\n%s\n", numbers);
+    put_profile(f, 2, names);
+    check_ok(f->ctx, study_write_figures(&f->s));
+    (void)snprintf(path, sizeof path, "%s/profile.csv", f->dir);
+    check_ok(f->ctx, file_read(f->ctx, path, &text, NULL));
+    for (int k = 0; k <= PANELS; ++k) {
+        char exact[64], found[64];
+        (void)snprintf(exact, sizeof exact, "\"\",\"lame\",1,%d,\n", -k);
+        (void)snprintf(found, sizeof found, "\"\",\"mpm\",1,%d,\n", k);
+        assert_int_equal(strstr(text, exact) && strstr(text, found), k < PANELS);
+    }
+    memory_free(f->ctx, &text);
+}
+
 /* Beside errors over the spacing stand lines of the first and second order; over costs none. */
 static void slopes_are_of_both_orders(void **state)
 {
@@ -110,6 +135,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(profiles_are_of_the_finest_cases, set_up, tear_down),
         cmocka_unit_test_setup_teardown(profiles_are_one_table, set_up, tear_down),
         cmocka_unit_test_setup_teardown(slopes_are_of_both_orders, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(as_many_panels_as_there_may_be, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
