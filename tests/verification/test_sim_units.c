@@ -99,7 +99,7 @@ static void judge(const subject *s, const difference *d, bool both, tally *count
 static void check_units(subject *s, void *user, tally *count)
 {
     static const scaling none = {0},
-                         other[] = {{-10, -42, -14, 2}, {22, 36, 18, -4}}; /* even: roots of them are powers, too */
+                         other[] = {{-20, -120, 10, -10}, {22, 36, 18, -4}}; /* even: roots of them are powers, too */
     const long steps = *(const long *)user;
     state expected = {0};
     const bool done = run_scaled(s, &none, steps, &expected);
