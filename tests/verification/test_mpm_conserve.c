@@ -97,6 +97,32 @@ static void test_collision(void **state)
             collide(basis_registry[i]->name, (stress_scheme)scheme);
 }
 
+/* A body in flight that is damped falls behind with all its points alike, and the ledger holds what it has lost. */
+static void test_damping(void **state)
+{
+    (void)state;
+    const double size[3] = {3.0, 2.0, 2.5}, v[3] = {0.8, 0.31, -0.17}, rate = 0.7, end = 0.6;
+    for (size_t i = 0; i < basis_registry_size; ++i)
+        for (int dim = 2; dim <= (i == 0 ? 3 : 2); ++dim) {
+            trial t;
+            trial_begin(&t, dim, size, dim == 3 ? 0.25 : 0.1);
+            set_method(&t, basis_registry[i]->name, (stress_scheme)(i % 3), 1.0);
+            t.scene->damping.rate = rate;
+            scene_body *b = add_body(&t, add_solid(&t, "linear_elastic", bulk, shear, 1.0),
+                                     make_ball(&t, (const double[]){1.2, 0.9, 1.3}, 0.6), 2);
+            memcpy(b->velocity, v, sizeof v);
+            trial_start(&t);
+            trial_run(&t, end);
+            const double left = exp(-rate * t.sim->time);
+            const sums after = sum_points(&t, (const double[]){left * v[0], left * v[1], left * v[2]});
+            check_true(after.largest_velocity_error <= 7e-3); /* a fraction of each step */
+            check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MOMENTUM_Z) <= 2e-15);
+            check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) <=
+                       (strcmp(basis_registry[i]->name, "linear") == 0 ? 1.2e-6 : 1e-14));
+            trial_end(&t);
+        }
+}
+
 /* A disc leaves through an open side: what it carried is in the ledger. */
 static void test_leaving(void **state)
 {
@@ -173,8 +199,8 @@ static void test_corner(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_flight), cmocka_unit_test(test_collision), cmocka_unit_test(test_leaving),
-        cmocka_unit_test(test_fall),   cmocka_unit_test(test_corner),
+        cmocka_unit_test(test_flight),  cmocka_unit_test(test_damping), cmocka_unit_test(test_collision),
+        cmocka_unit_test(test_leaving), cmocka_unit_test(test_fall),    cmocka_unit_test(test_corner),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
