@@ -66,7 +66,7 @@ static const struct {
     {"slab", "extreme/walls", 0.02, false, edges_to_1_percent},
     {"mirror", "slip_wall", 8e-4, false, edges_to_1_percent},
     {"mirror", "extreme/slam", 8e-4, false, half_open},
-    {"mirror", "water_impact", 3e-4, false, half_open},
+    {"mirror", "water_impact", 8e-4, false, half_open},
     {"materials", "extreme/volume_fraction", 1.0, false,
      "a cell that is just half full is on either side of an interface"},
     {"mirror", "two_bags", 4e-11, false, "round-off over the small openings of cells that membranes cut"},
@@ -191,10 +191,21 @@ static void check_change(subject *s, size_t which, long steps, const course *fir
     subject_end(s);
 }
 
+/* Decks that take a third of the time of all, and whose differences have names as it is. */
+static bool is_nightly(const char *deck)
+{
+    static const char *const nightly[] = {"cylinder_channel", "extreme/soft_vessel", "membrane_dogbone",
+                                          "turek_hron_csm", "two_bags"};
+    for (size_t k = 0; k < sizeof nightly / sizeof *nightly; ++k)
+        if (strcmp(deck, nightly[k]) == 0) return !check_at_length();
+    return false;
+}
+
 static void check_transformed(subject *s, void *user, tally *count)
 {
     const long steps = *(const long *)user;
     course first;
+    if (is_nightly(s->deck)) return;
     assert_true(subject_load(s) && subject_start(s));
     course_run(s, steps, &first);
     subject_end(s);
@@ -205,7 +216,7 @@ static void check_transformed(subject *s, void *user, tally *count)
 static void test_symmetry(void **unused)
 {
     (void)unused;
-    long steps = check_at_length() ? 20 : 8;
+    long steps = check_at_length() ? 20 : 6;
     tally count = {0};
     check_decks(!check_at_length(), check_transformed, &steps, &count);
     print_tally("symmetry", &count);

@@ -37,7 +37,7 @@ __attribute__((constructor)) static void open_seen(void)
 """
 DECLARED = {"switch": "extern int floe_mutant;\n", "note": "extern unsigned char *floe_seen;\n"}
 # Beyond an array of known size a run ends, as the nightly tests with sanitizers do.
-OPTIONS = {"switch": ("-w",), "note": ("-w",)}
+OPTIONS = {"switch": ("-w", "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error"), "note": ("-w",)}
 EFFECTS = ("++", "--", "=", "+=", "-=", "*=", "/=", "&&", "||")
 
 
