@@ -178,6 +178,9 @@ static void what_fails_is_passed_over(void **state)
     assert_int_equal(step.action, CHOOSE_REACHED);
     assert_int_equal(step.curve, 1);
     assert_int_equal(w.curve[0].standing, CHOOSE_BROKEN);
+    size_t failed = 0;
+    for (size_t k = 0; k < SPACINGS; k++) failed += w.list[0][k].state == CHOOSE_FAILED;
+    assert_int_equal(failed, 2); /* one may be by chance */
 }
 
 /* Out of reach: the dear cases are not run, and what it would take is told by the curve's own law. */

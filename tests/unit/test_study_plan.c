@@ -148,14 +148,60 @@ static void conditions_name_values(void **state)
     }
 }
 
+/* The plan of one axis, with a setting beside it and orders over some key: what it is refused for, or NULL. */
+static void check_refused(const char *axis, const char *set, const char *over, const char *why)
+{
+    const char *const axes[] = {axis, "coupling=ice,mpm"}, *const sets[] = {"study=null", set};
+    context *ctx = context_create();
+    study_options o = {.name = "study",
+                       .batch = {.deck = FLOE_SOURCE_DIR "/inputs/sod.yaml", .dir = "unused"},
+                       .set = {sets, set ? 2 : 1},
+                       .axis = axes,
+                       .n_axis = 2,
+                       .over = over,
+                       .repeat = -1};
+    study *s;
+    check_ok(ctx, memory_new(ctx, &s, 1, sizeof *s));
+    s->ctx = ctx;
+    s->options = &o;
+    const floe_status status = study_make_plan(s);
+    if (why) {
+        if (!strstr(context_message(ctx), why)) print_error("%s\n", context_message(ctx));
+        assert_non_null(strstr(context_message(ctx), why));
+        check_fails(ctx, status, FLOE_BAD_INPUT);
+    } else {
+        check_ok(ctx, status);
+        assert_int_equal(s->over, 0);
+        assert_int_equal(s->n, 4);
+    }
+    study_destroy(&s);
+    context_destroy(&ctx);
+}
+
+/* A setting of a key that an axis sets is refused, of one whose name only begins like it not; orders are over numbers, or over the mesh. */
+static void settings_and_orders(void **state)
+{
+    (void)state;
+    const char *const along = "domain.cell=0.2,0.1;time.cfl=0.5,0.4", *const cells = "domain.cell=0.2,0.1";
+    check_refused(along, NULL, NULL, NULL);
+    check_refused(along, "time.cfl=0.3", NULL, "the axis 'domain.cell' sets that key, too");
+    check_refused("domain.cell=0.2,0.1;time.max_steps=10,20", "time.max_step=0.3", NULL, NULL);
+    check_refused(along, "time.end=0.1", NULL, NULL);
+    check_refused(along, "domain.cell=0.05", NULL, "varies 'domain.cell'");
+    check_refused(cells, "time.cfl=0.3", "domain.cell", NULL);
+    check_refused(cells, NULL, "coupling", "its values are not different numbers > 0 in one unit");
+    check_refused(cells, NULL, "time.cfl", "no axis of this study, which has: domain.cell, coupling");
+    check_refused("domain.cell=[0.2],[0.1]", NULL, "domain.cell", NULL);
+    check_refused("time.cfl=0.4,-0.3", NULL, "time.cfl", "its values are not different numbers > 0 in one unit");
+    check_refused("time.cfl=0.4,0.3", NULL, NULL, NULL);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cases_are_named_by_their_values),
-        cmocka_unit_test(folders_differ),
-        cmocka_unit_test(long_labels_are_cut),
-        cmocka_unit_test(groups_are_named),
-        cmocka_unit_test(conditions_name_values),
+        cmocka_unit_test(settings_and_orders), cmocka_unit_test(cases_are_named_by_their_values),
+        cmocka_unit_test(folders_differ),      cmocka_unit_test(long_labels_are_cut),
+        cmocka_unit_test(groups_are_named),    cmocka_unit_test(conditions_name_values),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -163,6 +163,8 @@ static void the_json_has_all(void **state)
     assert_int_equal(count(text, "\"stress\": \"musl\""), 2 + 3);
     assert_int_equal(count(text, "\"time.step\": \"0.25 ms\""), SETS);
     assert_int_equal(count(text, "\"unit\": \"ms\""), 1);
+    assert_int_equal(count(text, "\"schema\": 1,"), 1);
+    assert_int_equal(count(text, "\"relative_to\": 0.5,"), 1);
 }
 
 static void a_search_is_printed(void **state)

@@ -121,6 +121,7 @@ static void json_has_objects(void **state)
     context_destroy(&ctx);
 }
 
+/* None, and any number of rows. */
 static void an_empty_table_is_written(void **state)
 {
     (void)state;
@@ -130,9 +131,23 @@ static void an_empty_table_is_written(void **state)
     json_t *list = table_json(&t);
     assert_int_equal(json_array_size(list), 0);
     check_ok(ctx, table_write_csv(&t, ".", "test_table_empty"));
-    (void)unlink("./test_table_empty.csv");
     json_decref(list);
     table_free(&t);
+    for (int rows = 1; rows <= 3; ++rows) { /* a line each, and one of names */
+        char *text, wanted[32] = "n\n";
+        table_init(&t, ctx);
+        for (int k = 0; k < rows; ++k) {
+            table_row(&t);
+            table_whole(&t, "n", (table_column){.in = TABLE_CSV}, k);
+            (void)snprintf(wanted + strlen(wanted), sizeof wanted - strlen(wanted), "%d\n", k);
+        }
+        check_ok(ctx, table_write_csv(&t, ".", "test_table_empty"));
+        check_ok(ctx, file_read(ctx, "./test_table_empty.csv", &text, NULL));
+        assert_string_equal(text, wanted);
+        memory_free(ctx, &text);
+        table_free(&t);
+    }
+    (void)unlink("./test_table_empty.csv");
     context_destroy(&ctx);
 }
 
