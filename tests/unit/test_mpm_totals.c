@@ -2,6 +2,8 @@
  * limits the step; and which gas lies outside a membrane. */
 #include "verification/coupled_fixture.h"
 
+#include "mpm/motion/motion.h"
+
 static void test_sums(void **unused)
 {
     (void)unused;
@@ -125,6 +127,74 @@ static void test_spin(void **unused)
     }
 }
 
+/* Over the gas that is the sum of its pressures by volume; over the line the means of its stresses. */
+typedef struct enclosure_means {
+    double pressure, stress, hoop;
+} enclosure_means;
+
+static enclosure_means random_stresses(const trial *t, uint64_t *seed)
+{
+    const fields *f = t->sim->domain->fields[0];
+    enclosure_means sum = {0.0, 0.0, 0.0};
+    double all = 0.0;
+    for (int body = 0; body < 2; ++body)
+        for (size_t k = 0; k < t->sim->mpm->points[0][body].n; ++k) {
+            const double volume = field_get(f, P_VOLUME0, body, 0)[k];
+            double stress[3];
+            for (int c = 0; c < 3; ++c)
+                stress[c] = field_get(f, P_STRESS, body, c)[k] = check_random(seed, 1e3, 3e5) * (c + 1);
+            if (body == 0) {
+                field_get(f, P_J, 0, 0)[k] = check_random(seed, 0.5, 1.5);
+                sum.pressure += volume * field_get(f, P_J, 0, 0)[k] *
+                                (t->scene->reference_pressure - (stress[0] + stress[1] + stress[2]) / 3.0);
+            } else {
+                all += volume;
+                sum.stress += volume * (stress[0] + stress[1]);
+                sum.hoop += volume * stress[2];
+            }
+        }
+    sum.stress /= all;
+    sum.hoop /= all;
+    return sum;
+}
+
+/* Degrees of freedom of a rigid body: along the axes, and about them; moments of inertia are the products of these motions over its masses. */
+static void test_modes(void **unused)
+{
+    (void)unused;
+    enum { MASSES = 20 };
+    uint64_t seed = 8;
+    double mass[MASSES], r[MASSES][3], inertia[3][3] = {{0.0}};
+    body_motion m;
+    memset(&m, 0, sizeof m);
+    for (int k = 0; k < MASSES; ++k) {
+        mass[k] = check_random(&seed, 1.0, 2.0);
+        m.sums.mass += mass[k];
+        for (int a = 0; a < 3; ++a) r[k][a] = check_random(&seed, -1.0, 2.0);
+        for (int d = 0; d < 6; ++d) {
+            const double turn[3] = {d == 3, d == 4, d == 5};
+            double v[3];
+            motion_unit(d, r[k], v);
+            for (int a = 0; a < 3; ++a) {
+                const int b = (a + 1) % 3, c = (a + 2) % 3;
+                check_close(v[a], d < 3 ? (double)(a == d) : turn[b] * r[k][c] - turn[c] * r[k][b], 0.0);
+            }
+        }
+        for (int d = 0; d < 3; ++d)
+            for (int e = 0; e < 3; ++e)
+                inertia[d][e] += mass[k] * ((d == e ? r[k][0] * r[k][0] + r[k][1] * r[k][1] + r[k][2] * r[k][2] : 0.0) -
+                                            r[k][d] * r[k][e]);
+    }
+    for (int c = 0; c < 6; ++c) m.sums.inertia[c] = inertia[c < 3 ? c : c - 3][c < 3 ? c : (c - 2) % 3];
+    for (int d = 0; d < 6; ++d)
+        for (int e = 0; e < 6; ++e)
+            check_close(motion_inertia(&m, d, e),
+                        d >= 3 && e >= 3 ? inertia[d - 3][e - 3]
+                        : d == e         ? m.sums.mass
+                                         : 0.0,
+                        0.0);
+}
+
 /* A quarter of a circle between mirrors: gas anywhere in the quadrant is outside where it is farther from the centre than the line. */
 static void test_outside(void **unused)
 {
@@ -150,8 +220,12 @@ static void test_outside(void **unused)
             y[k] = radius * sin(angle);
             outside += radius > 0.5 ? mass[k] : 0.0;
         }
+        const enclosure_means wanted = random_stresses(&t, &seed);
         mpm_membrane_enclosure(t.sim->mpm, 1, &gas);
         check_close_relative(gas.outside, outside, 1e-13);
+        check_close_relative(gas.pressure * gas.size, wanted.pressure, 1e-13);
+        check_close_relative(gas.stress, wanted.stress, 1e-13);
+        check_close_relative(gas.hoop, wanted.hoop, 1e-13);
         check_close_relative(gas.size, 0.25 * acos(-1.0) * 0.25, 1e-4);
     }
     trial_end(&t);
@@ -160,6 +234,7 @@ static void test_outside(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_sums), cmocka_unit_test(test_step),
-                                       cmocka_unit_test(test_spin), cmocka_unit_test(test_outside)};
+                                       cmocka_unit_test(test_spin), cmocka_unit_test(test_outside),
+                                       cmocka_unit_test(test_modes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
