@@ -448,12 +448,49 @@ static void crossings_are_told(void **state)
     }
 }
 
+/* A plate in space is thin where both of its sides lie in one cell, however thin it is down to a millionth of the cell, along every axis, and the place
+ * that is told lies on it; one of two cells, a gap of the same size between solids, and one whose sides are two bodies' are not. */
+static void thin_plates(void **state)
+{
+    context *ctx = *state;
+    static const struct {
+        double from, to; /* in cells */
+        bool thin;
+    } plate[] = {{2.2, 2.8, true},         {2.05, 2.95, true}, {2.2, 2.2 + 2e-6, true},
+                 {2.2, 2.2 + 5e-7, false}, {1.8, 2.2, false},  {2.2, 3.8, false}};
+    for (int axis = 0; axis < 3; ++axis)
+        for (size_t k = 0; k < sizeof plate / sizeof *plate; ++k)
+            for (int kind = 0; kind < 3; ++kind) { /* solid; gas; solid of two bodies */
+                const mesh_spec spec = {.dim = 3, .upper = {1.0, 1.0, 1.0}, .cell = {0.2, 0.2, 0.2}};
+                mesh m;
+                cut_surface c;
+                bool thin;
+                double x[3];
+                box b;
+                memset(&b, 0, sizeof b);
+                check_ok(ctx, mesh_init(&m, ctx, &spec));
+                check_ok(ctx, cut_create(&c, ctx, &m));
+                for (int a = 0; a < 3; ++a) {
+                    b.lo[a] = 0.2 * (a == axis ? plate[k].from : 1.3);
+                    b.hi[a] = 0.2 * (a == axis ? plate[k].to : 3.6);
+                }
+                lay_box(&c, &b, kind == 1);
+                for (int v = 0; v < c.n_vertices && kind == 2; ++v) c.vertex[v].body = v >> axis & 1;
+                check_ok(ctx, cut_find(&c));
+                check_ok(ctx, cut_find_thin(&c, &thin, x));
+                assert_int_equal(thin, plate[k].thin && kind == 0);
+                for (int a = 0; a < 3 && thin; ++a) check_true(x[a] >= b.lo[a] - 1e-12 && x[a] <= b.hi[a] + 1e-12);
+                cut_destroy(&c);
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(polygons_are_clipped, check_make_context, check_drop_context),
         cmocka_unit_test_setup_teardown(solids_are_sliced, check_make_context, check_drop_context),
         cmocka_unit_test_setup_teardown(boxes_are_exact, check_make_context, check_drop_context),
+        cmocka_unit_test_setup_teardown(thin_plates, check_make_context, check_drop_context),
         cmocka_unit_test_setup_teardown(crossings_are_told, check_make_context, check_drop_context),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
