@@ -183,7 +183,7 @@ static void wave_of(const fixture *f, int waves, double c, double out[4])
 /* The determinant of what a step does to a small wave of sound: 1 - 2 l^2 s^4 centred at half the step, 1 - 4 l^2 s^2 at its end, with l = c dt/h and s the sine of half
  * the angle between cells (theory 2.5); there the viscosity of shocks, 0.3 rho c of the velocity's jump over a cell, acts on the half of the wave that is
  * compressed (theory 2.8). */
-static double determinant(ice_centring centring, int waves, double courant)
+static double determinant(pressure_scheme pressure, ice_centring centring, int waves, double courant)
 {
     enum { CELLS = 24 };
     const double small = 1e-7, rho0 = 1.16, c = sqrt(1.4 * 1e5 / rho0), length = 1.0;
@@ -195,6 +195,7 @@ static double determinant(ice_centring centring, int waves, double courant)
         fixture_fill(&f, 0, 1e5, 300.0, rho0);
         f.scene->method.limiter = ICE_LIMITER_FIRST_ORDER;
         f.scene->method.centring = centring;
+        f.scene->method.pressure = pressure;
         fixture_start(&f);
         for (int i = 0; i < CELLS; ++i) {
             const ptrdiff_t at = mesh_index(&f.mesh.block[0], i, 0, 0);
@@ -213,6 +214,13 @@ static double determinant(ice_centring centring, int waves, double courant)
     return (end[0][0] * end[1][3] - end[0][3] * end[1][0]) / (start[0][0] * start[1][3]);
 }
 
+/* Of the implicit pressure: u* = (c u - 2 i s phi l p)/D, dP = -2 i s l u*, with D = 1 + (2 s phi l)^2 and c the cosine of half the angle. */
+static double implicit_determinant(double phi, double s, double courant)
+{
+    const double x = 4.0 * s * s * courant * courant, D = 1.0 + x * phi * phi, c2 = 1.0 - s * s;
+    return (1.0 - x * phi / D) * (1.0 - x * c2 * phi / D) + x * c2 / (D * D);
+}
+
 static void waves_are_centred(void **unused)
 {
     (void)unused;
@@ -220,9 +228,14 @@ static void waves_are_centred(void **unused)
         for (double courant = 0.1; courant < 0.7; courant += 0.25) {
             const double s = sin(acos(-1.0) * waves / 24.0), jump = sin(2.0 * acos(-1.0) * waves / 24.0),
                          l2 = courant * courant;
+            for (int full = 0; full < 2; ++full) /* u* and the pressure solved for together (theory 3) */
+                check_close(
+                    determinant(PRESSURE_IMPLICIT, full ? ICE_CENTRING_FULL : ICE_CENTRING_HALF, waves, courant),
+                    implicit_determinant(full ? 1.0 : 0.5, s, courant), 1.2e-7);
             /* To the size of the wave. */
-            check_close(determinant(ICE_CENTRING_HALF, waves, courant), 1.0 - 2.0 * l2 * s * s * s * s, 2.5e-6);
-            check_close(determinant(ICE_CENTRING_FULL, waves, courant),
+            check_close(determinant(PRESSURE_EXPLICIT, ICE_CENTRING_HALF, waves, courant),
+                        1.0 - 2.0 * l2 * s * s * s * s, 2.5e-6);
+            check_close(determinant(PRESSURE_EXPLICIT, ICE_CENTRING_FULL, waves, courant),
                         1.0 - 4.0 * l2 * s * s - 0.5 * 0.3 * courant * jump * jump, 2e-6);
         }
 }
