@@ -144,8 +144,71 @@ static void matrices_are_derivatives(void **unused)
             check_case(&cases[k], basis_registry[i], k % 2 ? 0.0 : 0.05);
 }
 
+/* Gas in a quarter of a ring: a displacement in proportion to the place makes twice the area of it more; its pressure follows the isentrope, and its stiffness is
+ * the derivative of its forces. */
+static void gas_is_isentropic(void **unused)
+{
+    (void)unused;
+    trial t;
+    trial_begin(&t, 2, (const double[3]){0.8, 0.8, 0.0}, 0.05);
+    for (int a = 0; a < 2; ++a) set_sides(&t, a, BC_SYMMETRY, BC_FREE);
+    set_method(&t, "quadratic", STRESS_USL, 1.0);
+    t.scene->time.solver = SOLVER_STATIC;
+    t.scene->time.increments = 2;
+    t.scene->time.end = 1.0;
+    t.scene->reference_pressure = 0.4;
+    const int gas = add_gas(&t, 1.4, 1.0);
+    add_body(&t, add_solid(&t, "neo_hookean", 60.0, 30.0, 1.0), make_ring(&t, 0.4, 0.6), 2);
+    scene_body *b = add_body(&t, gas, make_ball(&t, (const double[3]){0.0, 0.0, 0.0}, 0.4), 2);
+    b->pressure = 1.0;
+    b->density = 1.0;
+    trial_start(&t);
+    trial_steps(&t, 1);
+    mpm *s = t.sim->mpm;
+    struct mpm_implicit *w = s->implicit;
+    assert_int_equal(w->n_gases, 1);
+    enclosed_gas *r = &w->gas_set[0];
+    check_ok(t.ctx, enclosed_gases_begin(s));
+    double *part[5], gain = 0.0, off = 0.0, largest = 0.0;
+    uint64_t seed = 2;
+    for (int k = 0; k < 5; ++k) check_ok(t.ctx, memory_new(t.ctx, &part[k], w->components, sizeof **part));
+    for (int j = 0; j < w->grid.n[1]; ++j)
+        for (int i = 0; i < w->grid.n[0]; ++i)
+            for (int c = 0; c < 2; ++c) {
+                const int node = (int)(w->grid.origin + i * w->grid.stride[0] + j * w->grid.stride[1]);
+                const size_t n = implicit_index(w, 0, c, node);
+                gain += r->unit_force[n] * 0.05 * (c == 0 ? i : j);
+                part[0][n] = 1e-3 * check_random(&seed, -1.0, 1.0);
+                part[1][n] = w->constrained[n] ? 0.0 : check_random(&seed, -1.0, 1.0);
+            }
+    check_close_relative(gain, 0.5 * acos(-1.0) * 0.16, 1.4e-4); /* where the increment began */
+    for (double more = -0.2; more < 0.3; more += 0.1) {
+        check_ok(t.ctx, enclosed_gas_set(s, r, more * r->volume_first));
+        const double pressure = r->pressure_first * pow(1.0 + more, -1.4);
+        const double second = 0.2 * fabs(more * more * more) + 1e-14; /* the rule of the middle */
+        check_close_relative(r->pressure, pressure, second);
+        check_close_relative(r->stiffness, 1.4 * pressure / r->volume, second);
+        check_close_relative(r->mass * r->energy, pressure * r->volume / 0.4, second);
+    }
+    for (int side = 0; side < 2; ++side) {
+        for (size_t k = 0; k < w->components; ++k) part[4][k] = part[0][k] + (side ? 1e-5 : -1e-5) * part[1][k];
+        check_ok(t.ctx, enclosed_gases_force(s, part[4], part[2 + side]));
+    }
+    check_ok(t.ctx, enclosed_gases_force(s, part[0], part[4]));
+    memset(part[4], 0, w->components * sizeof **part);
+    enclosed_gases_stiffness(w, part[1], part[4]);
+    for (size_t k = 0; k < w->components; ++k) {
+        const double pull = w->constrained[k] ? 0.0 : (part[2][k] - part[3][k]) / 2e-5;
+        largest = fmax(largest, fabs(pull));
+        off = fmax(off, fabs(pull - part[4][k]));
+    }
+    check_close(off / largest, 0.0, 1e-7);
+    for (int k = 0; k < 5; ++k) memory_free(t.ctx, &part[k]);
+    trial_end(&t);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(matrices_are_derivatives)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(matrices_are_derivatives), cmocka_unit_test(gas_is_isentropic)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
