@@ -275,8 +275,58 @@ static void waves_are_centred(void **unused)
         }
 }
 
+/* What a step leaves of a shear wave along one axis, of the velocity along another: by the rule of the middle 1 - x + x^2/2, with x = 4 mu dt/(rho h^2) s^2
+ * of second differences (theory 2.6). */
+static double left_of_shear(int dim, int along, int component, const way *w, double dt)
+{
+    enum { CELLS = 8 };
+    const double rho = 2.0, small = 1e-4, length[3] = {0.8, 0.8, 0.8};
+    double before = 0.0, after = 0.0;
+    fixture f;
+    fixture_create(&f, dim, (const int[]){CELLS, CELLS, CELLS}, length, true);
+    fixture_fluid(&f, "ideal", 1.4, 717.5, 0.0);
+    f.scene->material[0].shear_viscosity = w->viscosity;
+    fixture_fill(&f, 0, 1e5, 300.0, rho);
+    f.scene->method.limiter = w->limiter;
+    f.scene->method.pressure = w->pressure;
+    fixture_start(&f);
+    const block *b = &f.mesh.block[0];
+    for (int pass = 0; pass < 2; ++pass) {
+        for (int k = 0; k < b->n[2]; ++k)
+            for (int j = 0; j < b->n[1]; ++j)
+                for (int i = 0; i < b->n[0]; ++i) {
+                    const double wave = sin(2.0 * acos(-1.0) * ((const int[]){i, j, k}[along] + 0.3) / CELLS);
+                    double *u = &fixture_array(&f, C_VEL, 0, component)[mesh_index(b, i, j, k)];
+                    if (pass == 0) *u = small * wave;
+                    *(pass == 0 ? &before : &after) += *u * wave;
+                }
+        if (pass == 0) check_ok(f.ctx, fixture_try(&f, dt));
+    }
+    fixture_destroy(&f);
+    return after / before;
+}
+
+static void shear_is_diffused(void **unused)
+{
+    (void)unused;
+    static const way ways[] = {
+        {"waves", ICE_LIMITER_DEFAULT, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 3.0, 0.0, false, false},
+        {"van Leer", ICE_LIMITER_VAN_LEER, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 3.0, 0.0, false, false},
+        {"implicit", ICE_LIMITER_VAN_LEER, PRESSURE_IMPLICIT, false, ICE_CENTRING_AUTO, 3.0, 0.0, false, false},
+    };
+    const double dt = 1e-4, s = sin(acos(-1.0) / 8.0);
+    for (int dim = 2; dim <= 3; ++dim)
+        for (int along = 0; along < dim; ++along)
+            for (int component = 0; component < dim; ++component)
+                for (int k = 0; k < 3 && component != along; ++k) {
+                    const double x = 4.0 * ways[k].viscosity * dt / (2.0 * 0.01) * s * s;
+                    check_close(left_of_shear(dim, along, component, &ways[k], dt), 1.0 - x + 0.5 * x * x, 4e-15);
+                }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(boxes_keep_and_turn), cmocka_unit_test(waves_are_centred)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(boxes_keep_and_turn), cmocka_unit_test(waves_are_centred),
+                                       cmocka_unit_test(shear_is_diffused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
