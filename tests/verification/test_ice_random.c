@@ -119,18 +119,23 @@ static void set_sides(fixture *f, const turn *t)
         }
 }
 
+/* Edges of a cell of the first box, of a tenth. */
+static const double edge[3] = {1.0, 1.3, 0.8};
+
 /* Runs a few steps of a box; false: what it holds in all has changed. */
 static void run_box(int dim, int fluids, const way *w, const turn *t, double *out)
 {
     fixture f;
     const int n = cells_along(dim), cells[3] = {n, n, n};
-    const double size = 0.1 * n, length[3] = {size, size, size};
+    double length[3] = {0.0};
+    for (int a = 0; a < dim; ++a) length[a] = 0.1 * n * edge[(a + t->shift) % dim];
     fixture_create(&f, dim, cells, length, !w->walls);
     if (w->open) set_sides(&f, t);
     for (int r = 0; r < fluids; ++r) fixture_fluid(&f, "ideal", ratio[r], heat_capacity[r], 0.0);
     for (int r = 0; r < fluids; ++r) { /* the states below stand for these */
+        const double size = length[0], far = 2.0 * (length[0] + length[1] + length[2]);
         const double lo[3] = {r == 0 ? -1.0 : 0.5 * size, -1.0, -1.0},
-                     hi[3] = {r + 1 == fluids ? 2.0 * size : 0.5 * size, 2.0 * size, 2.0 * size};
+                     hi[3] = {r + 1 == fluids ? far : 0.5 * size, far, far};
         scene_material *m = &f.scene->material[r];
         fixture_box(&f, r, lo, hi, 1e5, 300.0, (double)NAN);
         m->shear_viscosity = w->viscosity;

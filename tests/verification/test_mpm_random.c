@@ -14,7 +14,8 @@ static bool mirrors(const turn *t, int a)
     return t->mirrors >> a & 1;
 }
 
-static const double h = 0.1;
+/* Edges of the cells of the first box. */
+static const double edge[3] = {0.1, 0.125, 0.08};
 
 static int cells_along(int dim)
 {
@@ -28,7 +29,7 @@ static size_t place_of(const fields *f, int dim, size_t k, const turn *t, int ol
     size_t at = 0;
     old[0] = old[1] = old[2] = 0;
     for (int a = 0; a < dim; ++a) {
-        const int i = (int)floor(field_get(f, P_POS, 0, a)[k] / (0.5 * h));
+        const int i = (int)floor(field_get(f, P_POS, 0, a)[k] / (0.5 * edge[(a + t->shift) % dim]));
         old[(a + t->shift) % dim] = mirrors(t, a) ? n - 1 - i : i;
     }
     for (int a = dim - 1; a >= 0; --a) at = at * (size_t)n + (size_t)old[a];
@@ -58,10 +59,12 @@ static int component_at(int i, int j)
 static void run_body(int dim, const way *w, const turn *t, double *out)
 {
     trial r;
-    const double size = h * cells_along(dim);
-    trial_begin(&r, dim, (const double[3]){size, size, size}, h);
+    double size[3] = {0.0};
+    for (int a = 0; a < dim; ++a) size[a] = cells_along(dim) * edge[(a + t->shift) % dim];
+    trial_begin(&r, dim, size, 0.1);
     for (int a = 0; a < dim; ++a) {
         const int old = (a + t->shift) % dim;
+        r.scene->mesh.cell[a] = edge[old];
         const bool turned = mirrors(t, a);
         set_sides(&r, a, turned ? w->upper[old] : w->lower[old], turned ? w->lower[old] : w->upper[old]);
     }
@@ -71,10 +74,10 @@ static void run_body(int dim, const way *w, const turn *t, double *out)
     double lo[3], hi[3];
     for (int a = 0; a < dim; ++a) { /* at the lower sides of the first box, one cell from the others */
         const int old = (a + t->shift) % dim;
-        const double from = w->lower[old] == BC_FREE ? 2.0 * h : 0.0,
-                     to = w->upper[old] == BC_FREE ? size - 2.0 * h : size;
-        lo[a] = mirrors(t, a) ? size - to : from;
-        hi[a] = mirrors(t, a) ? size - from : to;
+        const double from = w->lower[old] == BC_FREE ? 2.0 * edge[old] : 0.0,
+                     to = w->upper[old] == BC_FREE ? size[a] - 2.0 * edge[old] : size[a];
+        lo[a] = mirrors(t, a) ? size[a] - to : from;
+        hi[a] = mirrors(t, a) ? size[a] - from : to;
     }
     scene_body *b = add_body(&r, w->law ? add_solid(&r, w->law, 3e5, 1e5, 1000.0) : add_gas(&r, 1.4, 700.0),
                              make_box(&r, lo, hi), 2);
