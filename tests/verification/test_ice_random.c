@@ -332,9 +332,37 @@ static void shear_is_diffused(void **unused)
                 }
 }
 
+/* What comes in through a side in a step is no more than a cell, at every side, by its own axis; the message says where. */
+static void inlets_are_bounded(void **unused)
+{
+    (void)unused;
+    const double dt = 1e-4, length[3] = {0.4, 0.6, 0.8};
+    for (int dim = 1; dim <= 3; ++dim)
+        for (int k = 0; k < 4 * dim; ++k) {
+            const int axis = k / 4, side = k / 2 % 2;
+            const bool fast = k % 2;
+            fixture f;
+            char where[64];
+            fixture_create(&f, dim, (const int[]){4, 4, 4}, length, false);
+            fixture_fluid(&f, "ideal", 1.4, 717.5, 0.0);
+            fixture_fill(&f, 0, 1e5, 300.0, (double)NAN);
+            bc_side *inlet = &f.scene->bc.side[axis][side];
+            *inlet = (bc_side){.kind = BC_INLET, .pressure = 1e5, .temperature = 300.0, .material = 0};
+            inlet->velocity[axis] = (side == 0 ? 1.0 : -1.0) * (fast ? 1.01 : 0.3) * length[axis] / 4.0 / dt;
+            fixture_start(&f);
+            const floe_status status = fixture_try(&f, dt);
+            (void)snprintf(where, sizeof where, "%s side of axis %d crosses more than a cell",
+                           side == 0 ? "lower" : "upper", axis);
+            assert_int_equal(strstr(context_message(f.ctx), where) != NULL, fast);
+            if (fast) assert_int_equal(status, FLOE_RETRY);
+            context_clear(f.ctx);
+            fixture_destroy(&f);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(boxes_keep_and_turn), cmocka_unit_test(waves_are_centred),
-                                       cmocka_unit_test(shear_is_diffused)};
+                                       cmocka_unit_test(shear_is_diffused), cmocka_unit_test(inlets_are_bounded)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
