@@ -127,7 +127,8 @@ def look(state, tree, mutants, longest):
     for name in sorted(runner.tests, key=lambda n: (costs.get(n, 2.0), n)):
         known = tests.get(name)
         mark = test_mark(runner.tests[name][0])
-        if costs.get(name, 2.0) > longest or known and known["mark"] == mark:
+        same = known is not None and known["mark"] == mark
+        if costs.get(name, 2.0) > longest or same and set(keys) <= set(known["asked"]):
             continue
         seen = os.path.join(os.path.dirname(state.path), "seen")
         if os.path.exists(seen):
@@ -136,9 +137,11 @@ def look(state, tree, mutants, longest):
         wrong, cpu = runner.run(name, {"FLOE_SEEN": seen})
         state.add_cpu("look", before)
         bits = open(seen, "rb").read() if os.path.exists(seen) else b""
-        tests[name] = {"mark": mark, "cpu": cpu, "wrong": wrong, "asked": keys,
-                       "seen": [s.key() for s in mutants if s.number < len(bits) and bits[s.number]]}
-        print(f"look   {name}: {cpu:.1f} s, {len(tests[name]['seen'])} of {len(keys)}{'; FAILS ' + wrong if wrong else ''}", flush=True)
+        seen = [s.key() for s in mutants if s.number < len(bits) and bits[s.number]]
+        asked_before = [k for k in known["asked"] if k not in keys] if same else []  # of other draws
+        tests[name] = {"mark": mark, "cpu": cpu, "wrong": wrong, "asked": keys + asked_before,
+                       "seen": seen + [k for k in asked_before if k in known["seen"]]}
+        print(f"look   {name}: {cpu:.1f} s, {len(seen)} of {len(keys)}{'; FAILS ' + wrong if wrong else ''}", flush=True)
         state.save()
 
 
