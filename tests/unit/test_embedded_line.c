@@ -207,6 +207,11 @@ static void test_in_a_cell(void **unused)
     check_close(x[0], -0.3 + 0.46, 1e-14);
     lay(&c, ctx, 2, whole, 1);
     assert_false(is_thin(&c, x));
+    static const double thickness[] = {2e-6, 5e-7, 0.99999, 1.00001}; /* in cells: from a millionth on */
+    for (int k = 0; k < 4; ++k) {
+        lay(&c, ctx, 2, (const double[]){4.3, 4.3 + thickness[k]}, 1);
+        assert_int_equal(is_thin(&c, x), k % 2 == 0);
+    }
     lay(&c, ctx, 4, (const double[]){4.5, 4.5, 7.25, 8.75}, 1); /* nothing is left of the first solid */
     check_ok(ctx, cut_find(&c));
     check_close(enclosed_length(&c), CELLS - 1.5, 1e-14);

@@ -109,9 +109,30 @@ static void test_gas_beside(void **unused)
     }
 }
 
+/* The force on a body is the sum of what its markers take. */
+static void test_force(void **unused)
+{
+    (void)unused;
+    for (int dim = 2; dim <= 3; ++dim) {
+        trial t;
+        uint64_t seed = 6;
+        double sum[3] = {0.0}, found[3] = {7.0, 7.0, 7.0};
+        make_shell(&t, dim, 0.1, 1.0);
+        coupled_start(&t);
+        surface_markers *m = &t.sim->mpm->surfaces->markers;
+        for (size_t i = 0; i < 3 * m->n; ++i) sum[i % 3] += m->force[i] = check_random(&seed, -1.0, 2.0);
+        check_true(mpm_boundary_sum_force(t.sim->mpm, 0, found));
+        for (int a = 0; a < 3; ++a) check_close(found[a], sum[a], 0.0);
+        mpm_boundary_clear(t.sim->mpm);
+        check_true(mpm_boundary_sum_force(t.sim->mpm, 0, found));
+        for (int a = 0; a < 3; ++a) check_close(found[a], 0.0, 0.0);
+        trial_end(&t);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_facing), cmocka_unit_test(test_pins),
-                                       cmocka_unit_test(test_gas_beside)};
+                                       cmocka_unit_test(test_gas_beside), cmocka_unit_test(test_force)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

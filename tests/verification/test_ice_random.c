@@ -154,7 +154,7 @@ static void run_box(int dim, int fluids, const way *w, const turn *t, double *ou
     for (int k = 0; k < 3; ++k) check_ok(f.ctx, fixture_try(&f, 3e-5));
     fixture_account(&f, &f.ledger);
     for (int q = LEDGER_MASS; q <= LEDGER_ENERGY; ++q) {
-        const bool kept = w->open ? false : q == LEDGER_MASS || (q == LEDGER_ENERGY ? !w->internal_energy : !w->walls);
+        const bool kept = q != LEDGER_ENERGY || !w->internal_energy; /* what sides give is in the ledger */
         if (kept) check_close(ledger_drift(&f.ledger, (ledger_quantity)q), 0.0, 1e-14);
     }
     for_cells(&f, get_cell, t, out);
