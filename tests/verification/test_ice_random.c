@@ -105,7 +105,7 @@ static void set_sides(fixture *f, const turn *t)
          {.kind = BC_OUTLET, .pressure = 0.9e5, .temperature = 290.0}},
         {{.kind = BC_NO_SLIP, .velocity = {30.0, 0.0, -10.0}, .temperature = 400.0},
          {.kind = BC_NON_REFLECTING, .velocity = {10.0, 20.0, 5.0}, .pressure = 1.1e5, .temperature = 280.0}},
-        {{.kind = BC_VELOCITY, .velocity = {0.0, 0.0, 15.0}, .temperature = NAN},
+        {{.kind = BC_VELOCITY, .velocity = {0.0, 0.0, 15.0}, .temperature = (double)NAN},
          {.kind = BC_RESERVOIR, .pressure = 1.2e5, .temperature = 310.0}}};
     const int dim = f->scene->mesh.dim;
     for (int a = 0; a < dim; ++a)
@@ -171,9 +171,11 @@ static void boxes_keep_and_turn(void **unused)
         {"first order", ICE_LIMITER_FIRST_ORDER, PRESSURE_EXPLICIT, false, ICE_CENTRING_FULL, 0.0, 1e12, false, false},
         {"internal", ICE_LIMITER_VAN_LEER, PRESSURE_EXPLICIT, true, ICE_CENTRING_AUTO, 0.0, 1e12, false, false},
         {"viscous", ICE_LIMITER_DEFAULT, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 1.0, 1e12, false, false},
-        {"locked", ICE_LIMITER_DEFAULT, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 1.0, NAN, false, false},
-        {"locked, van Leer", ICE_LIMITER_VAN_LEER, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 1.0, NAN, true, false},
-        {"locked, implicit", ICE_LIMITER_VAN_LEER, PRESSURE_IMPLICIT, false, ICE_CENTRING_AUTO, 1.0, NAN, true, false},
+        {"locked", ICE_LIMITER_DEFAULT, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 1.0, (double)NAN, false, false},
+        {"locked, van Leer", ICE_LIMITER_VAN_LEER, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 1.0, (double)NAN, true,
+         false},
+        {"locked, implicit", ICE_LIMITER_VAN_LEER, PRESSURE_IMPLICIT, false, ICE_CENTRING_AUTO, 1.0, (double)NAN, true,
+         false},
         {"drag", ICE_LIMITER_DEFAULT, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 0.0, 1e4, false, false},
         {"slip", ICE_LIMITER_VAN_LEER, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 0.0, 0.0, false, false},
         {"sides", ICE_LIMITER_DEFAULT, PRESSURE_EXPLICIT, false, ICE_CENTRING_AUTO, 1.0, 1e12, true, true},
