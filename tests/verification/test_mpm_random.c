@@ -23,13 +23,13 @@ static int cells_along(int dim)
 }
 
 /* Numbers of the places of a seeded lattice, two to a cell, in the first box. */
-static size_t place_of(const fields *f, int dim, size_t k, const turn *t, int old[3])
+static size_t place_of(const fields *f, int body, int dim, size_t k, const turn *t, int old[3])
 {
     const int n = 2 * cells_along(dim);
     size_t at = 0;
     old[0] = old[1] = old[2] = 0;
     for (int a = 0; a < dim; ++a) {
-        const int i = (int)floor(field_get(f, P_POS, 0, a)[k] / (0.5 * edge[(a + t->shift) % dim]));
+        const int i = (int)floor(field_get(f, P_POS, body, a)[k] / (0.5 * edge[(a + t->shift) % dim]));
         old[(a + t->shift) % dim] = mirrors(t, a) ? n - 1 - i : i;
     }
     for (int a = dim - 1; a >= 0; --a) at = at * (size_t)n + (size_t)old[a];
@@ -49,6 +49,7 @@ typedef struct way {
     const char *law; /* NULL: a gas */
     bc_kind lower[3], upper[3];
     double penalty;
+    bool contact; /* of two bodies, side by side along the first axis of the first box */
 } way;
 
 static int component_at(int i, int j)
@@ -79,43 +80,62 @@ static void run_body(int dim, const way *w, const turn *t, double *out)
         lo[a] = mirrors(t, a) ? size[a] - to : from;
         hi[a] = mirrors(t, a) ? size[a] - from : to;
     }
-    scene_body *b = add_body(&r, w->law ? add_solid(&r, w->law, 3e5, 1e5, 1000.0) : add_gas(&r, 1.4, 700.0),
-                             make_box(&r, lo, hi), 2);
-    if (!w->law) {
-        b->pressure = 1e5;
-        b->temperature = 300.0;
+    for (int part = 0; part <= w->contact; ++part) {
+        double from[3], to[3];
+        for (int a = 0; a < 3; ++a) {
+            const bool cut = w->contact && a < dim && (a + t->shift) % dim == 0,
+                       upper = mirrors(t, a) ? part == 0 : part == 1;
+            const double middle = 0.5 * (lo[a] + hi[a]);
+            from[a] = cut && upper ? middle : lo[a];
+            to[a] = cut && !upper ? middle : hi[a];
+        }
+        scene_body *b = add_body(&r, w->law ? add_solid(&r, w->law, 3e5, 1e5, 1000.0) : add_gas(&r, 1.4, 700.0),
+                                 make_box(&r, from, to), 2);
+        if (!w->law) {
+            b->pressure = 1e5;
+            b->temperature = 300.0;
+        }
     }
+    r.scene->contact.enabled = w->contact;
+    r.scene->contact.kind = CONTACT_FRICTION;
+    r.scene->contact.friction = 0.3;
     trial_start(&r);
     const fields *f = r.sim->domain->fields[0];
-    const size_t n = r.sim->mpm->points[0][0].n;
-    for (size_t k = 0; k < n; ++k) {
-        int old[3];
-        (void)place_of(f, dim, k, t, old);
-        for (int a = 0; a < dim; ++a)
-            field_get(f, P_VEL, 0, a)[k] = (mirrors(t, a) ? -1.0 : 1.0) * noise(old, (a + t->shift) % dim);
+    size_t n[2] = {0, 0};
+    for (int body = 0; body <= w->contact; ++body) {
+        n[body] = r.sim->mpm->points[0][body].n;
+        for (size_t k = 0; k < n[body]; ++k) {
+            int old[3];
+            (void)place_of(f, body, dim, k, t, old);
+            for (int a = 0; a < dim; ++a)
+                field_get(f, P_VEL, body, a)[k] = (mirrors(t, a) ? -1.0 : 1.0) * noise(old, (a + t->shift) % dim);
+        }
     }
     check_ok(r.ctx, sim_update_ledger(r.sim));
     memcpy(r.sim->ledger.initial, r.sim->ledger.total, sizeof r.sim->ledger.initial);
     for (int k = 0; k < 3; ++k) check_ok(r.ctx, sim_step(r.sim, 2e-4 * (k + 1)));
-    assert_int_equal(r.sim->mpm->points[0][0].n, n);
+    for (int body = 0; body <= w->contact; ++body) assert_int_equal(r.sim->mpm->points[0][body].n, n[body]);
     check_ok(r.ctx, sim_update_ledger(r.sim));
     const double mass = r.sim->ledger.total[LEDGER_MASS]; /* of speeds up to one */
     for (int q = LEDGER_MASS; q <= LEDGER_MOMENTUM_Z; ++q)
         check_close(ledger_excess(&r.sim->ledger, (ledger_quantity)q), 0.0, 1e-13 * mass);
-    for (size_t k = 0; k < n; ++k) {
-        int old[3];
-        double *to = out + HELD * place_of(f, dim, k, t, old);
-        for (int a = 0; a < dim; ++a)
-            to[(a + t->shift) % dim] = (mirrors(t, a) ? -1.0 : 1.0) * field_get(f, P_VEL, 0, a)[k];
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j <= i; ++j) {
-                const int from_i = i < dim ? (i + t->shift) % dim : i, from_j = j < dim ? (j + t->shift) % dim : j;
-                const double sign = (i < dim && mirrors(t, i) ? -1.0 : 1.0) * (j < dim && mirrors(t, j) ? -1.0 : 1.0);
-                if (i != j && i >= dim) continue;
-                to[3 + component_at(from_i, from_j)] = sign * field_get(f, P_STRESS, 0, component_at(i, j))[k] / 1e5;
-            }
-        to[9] = field_get(f, P_J, 0, 0)[k];
-    }
+    for (int body = 0; body <= w->contact; ++body)
+        for (size_t k = 0; k < n[body]; ++k) {
+            int old[3];
+            double *to = out + HELD * place_of(f, body, dim, k, t, old);
+            for (int a = 0; a < dim; ++a)
+                to[(a + t->shift) % dim] = (mirrors(t, a) ? -1.0 : 1.0) * field_get(f, P_VEL, body, a)[k];
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j <= i; ++j) {
+                    const int from_i = i < dim ? (i + t->shift) % dim : i, from_j = j < dim ? (j + t->shift) % dim : j;
+                    const double sign =
+                        (i < dim && mirrors(t, i) ? -1.0 : 1.0) * (j < dim && mirrors(t, j) ? -1.0 : 1.0);
+                    if (i != j && i >= dim) continue;
+                    to[3 + component_at(from_i, from_j)] =
+                        sign * field_get(f, P_STRESS, body, component_at(i, j))[k] / 1e5;
+                }
+            to[9] = field_get(f, P_J, body, 0)[k];
+        }
     trial_end(&r);
 }
 
@@ -123,59 +143,110 @@ static void bodies_keep_and_turn(void **unused)
 {
     (void)unused;
     static const way ways[] = {
-        {"linear", STRESS_USL, NULL, "linear_elastic", {BC_FREE, BC_FREE, BC_FREE}, {BC_FREE, BC_FREE, BC_FREE}, 0.0},
-        {"gimp", STRESS_USF, NULL, "linear_elastic", {BC_FREE, BC_FREE, BC_FREE}, {BC_FREE, BC_FREE, BC_FREE}, 0.0},
+        {"linear",
+         STRESS_USL,
+         NULL,
+         "linear_elastic",
+         {BC_FREE, BC_FREE, BC_FREE},
+         {BC_FREE, BC_FREE, BC_FREE},
+         0.0,
+         false},
+        {"gimp",
+         STRESS_USF,
+         NULL,
+         "linear_elastic",
+         {BC_FREE, BC_FREE, BC_FREE},
+         {BC_FREE, BC_FREE, BC_FREE},
+         0.0,
+         false},
         {"quadratic",
          STRESS_MUSL,
          NULL,
          "neo_hookean",
          {BC_SLIP, BC_NO_SLIP, BC_SYMMETRY},
          {BC_FREE, BC_FREE, BC_FREE},
-         0.0},
+         0.0,
+         false},
         {"cubic",
          STRESS_MUSL,
          NULL,
          "linear_elastic",
          {BC_SYMMETRY, BC_SLIP, BC_NO_SLIP},
          {BC_FREE, BC_FREE, BC_FREE},
-         0.0},
-        {"cpdi", STRESS_MUSL, NULL, "neo_hookean", {BC_FREE, BC_FREE, BC_FREE}, {BC_FREE, BC_FREE, BC_FREE}, 0.0},
+         0.0,
+         false},
+        {"cpdi",
+         STRESS_MUSL,
+         NULL,
+         "neo_hookean",
+         {BC_FREE, BC_FREE, BC_FREE},
+         {BC_FREE, BC_FREE, BC_FREE},
+         0.0,
+         false},
         {"quadratic",
          STRESS_MUSL,
          "apic",
          "neo_hookean",
          {BC_FREE, BC_FREE, BC_FREE},
          {BC_FREE, BC_FREE, BC_FREE},
-         0.0},
+         0.0,
+         false},
         {"quadratic",
          STRESS_MUSL,
          "tpic",
          "linear_elastic",
          {BC_FREE, BC_FREE, BC_FREE},
          {BC_SLIP, BC_FREE, BC_SYMMETRY},
-         0.0},
+         0.0,
+         false},
         {"quadratic",
          STRESS_MUSL,
          "xpic",
          "linear_elastic",
          {BC_SLIP, BC_FREE, BC_FREE},
          {BC_FREE, BC_FREE, BC_SLIP},
-         0.0},
+         0.0,
+         false},
         {"quadratic",
          STRESS_MUSL,
          "afmpm",
          "linear_elastic",
          {BC_FREE, BC_FREE, BC_FREE},
          {BC_FREE, BC_FREE, BC_FREE},
-         0.0},
-        {"gimp", STRESS_MUSL, NULL, NULL, {BC_SYMMETRY, BC_SLIP, BC_SYMMETRY}, {BC_SLIP, BC_SYMMETRY, BC_SLIP}, 0.0},
+         0.0,
+         false},
+        {"gimp",
+         STRESS_MUSL,
+         NULL,
+         NULL,
+         {BC_SYMMETRY, BC_SLIP, BC_SYMMETRY},
+         {BC_SLIP, BC_SYMMETRY, BC_SLIP},
+         0.0,
+         false},
         {"quadratic",
          STRESS_USL,
          NULL,
          NULL,
          {BC_SYMMETRY, BC_SLIP, BC_SYMMETRY},
          {BC_SLIP, BC_SYMMETRY, BC_SLIP},
-         0.0},
+         0.0,
+         false},
+        {"linear",
+         STRESS_MUSL,
+         NULL,
+         "linear_elastic",
+         {BC_FREE, BC_FREE, BC_FREE},
+         {BC_FREE, BC_FREE, BC_FREE},
+         0.0,
+         true},
+        {"gimp",
+         STRESS_USL,
+         NULL,
+         "linear_elastic",
+         {BC_FREE, BC_SLIP, BC_FREE},
+         {BC_FREE, BC_FREE, BC_SLIP},
+         0.0,
+         true},
     };
     static double first[MOST_POINTS * HELD], turned[MOST_POINTS * HELD];
     for (int dim = 1; dim <= 3; ++dim)
@@ -189,7 +260,7 @@ static void bodies_keep_and_turn(void **unused)
                 run_body(dim, &ways[k], &t, turned);
                 for (size_t i = 0; i < sizeof first / sizeof *first; ++i)
                     worst = fmax(worst, fabs(turned[i] - first[i]));
-                check_close(worst, 0.0, 1.2e-12); /* round-off over nodes that bear little */
+                check_close(worst, 0.0, ways[k].contact ? 1e-9 : 1.2e-12); /* round-off over nodes that bear little */
             }
         }
 }
