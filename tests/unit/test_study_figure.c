@@ -80,8 +80,9 @@ static void as_many_panels_as_there_may_be(void **state)
         (void)snprintf(names + at, sizeof names - at, ",q%d (m/s),exact_q%d (m/s)", k, k);
         (void)snprintf(numbers + to, sizeof numbers - to, ",%d,%d", k, -k);
     }
-    (void)snprintf(names + strlen(names), sizeof names - strlen(names), "\n%s\n", numbers);
-    put_profile(f, 2, names);
+    char whole[2 * TEXT + 4];
+    (void)snprintf(whole, sizeof whole, "%s\n%s\n", names, numbers);
+    put_profile(f, 2, whole);
     check_ok(f->ctx, study_write_figures(&f->s));
     (void)snprintf(path, sizeof path, "%s/profile.csv", f->dir);
     check_ok(f->ctx, file_read(f->ctx, path, &text, NULL));
