@@ -9,6 +9,7 @@ from typing import Callable, NamedTuple
 import numpy
 
 from .files import Refused
+from .results import Quantity
 from .snapshots import Run, SealedSnapshot, snapshot_files
 
 #: Columns that are round-off in a good run: they are shown last, and do not count.
@@ -18,12 +19,23 @@ SAME_TIME = 1e-9
 
 
 class Difference(NamedTuple):
-    """One quantity. `share`: the largest difference over the largest size that either run has of it at all; 0 where both are the same."""
+    """One quantity."""
     name: str      #: kinetic, cells/pressure, points/ring/velocity
     unit: str
-    largest: float
-    share: float
+    largest: float #: difference
+    size: float    #: the largest that either run has of it at all
     time: float    #: of the largest difference
+
+    @property
+    def share(self) -> float:
+        """The largest difference over the size; 0 where both are the same."""
+        if self.largest == 0:
+            return 0.0
+        return self.largest / self.size if self.size > 0 else math.inf
+
+    def with_later(self, other: "Difference") -> "Difference":
+        """Of two times: the larger difference, and the larger size."""
+        return max(self, other, key=lambda one: one.largest)._replace(size=max(self.size, other.size))
 
 
 class Differences(NamedTuple):
@@ -65,11 +77,11 @@ def _compare(name: str, unit: str, a: numpy.ndarray, b: numpy.ndarray, times: nu
         apart = numpy.abs(a - b)
     apart[(a == b) | (numpy.isnan(a) & numpy.isnan(b))] = 0
     apart[numpy.isnan(apart)] = math.inf
-    if apart.size == 0 or not apart.any():
-        return Difference(name, unit, 0.0, 0.0, math.nan)
     sizes = numpy.abs(numpy.concatenate([a.ravel(), b.ravel()]))
-    largest, size = float(apart.max()), float(numpy.max(sizes[numpy.isfinite(sizes)], initial=0.0))
-    return Difference(name, unit, largest, largest / size if size > 0 else math.inf, float(times[apart.max(axis=1).argmax()]))
+    size = float(numpy.max(sizes[numpy.isfinite(sizes)], initial=0.0))
+    if not apart.any():
+        return Difference(name, unit, 0.0, size, math.nan)
+    return Difference(name, unit, float(apart.max()), size, float(times[apart.max(axis=1).argmax()]))
 
 
 def _same_times(a: numpy.ndarray, b: numpy.ndarray) -> tuple[list[int], list[int]]:
@@ -108,9 +120,17 @@ def _histories(a: Run, b: Run) -> tuple[list[Difference], list[tuple[str, int]],
     return out, alone, len(rows)
 
 
-def _by_id(snapshot: SealedSnapshot, body: str, name: str) -> numpy.ndarray:
-    """Points have no order that lasts."""
-    return snapshot.read(body, name).values[numpy.argsort(snapshot.read(body, "id").values, kind="stable")]
+class _Ordered:
+    """A snapshot's quantities with its points by their id: they have no order that lasts."""
+
+    def __init__(self, snapshot: SealedSnapshot):
+        self.snapshot, self.names = snapshot, _names(snapshot)
+        self.order = {body: numpy.argsort(snapshot.read(body, "id").values, kind="stable") for body in snapshot.bodies}
+
+    def read(self, name: str) -> Quantity:
+        body, field = self.names[name]
+        found = self.snapshot.read(body, field)
+        return found if body is None else found._replace(values=found.values[self.order[body]])
 
 
 def _names(snapshot: SealedSnapshot) -> dict[str, tuple[str | None, str]]:
@@ -121,29 +141,24 @@ def _names(snapshot: SealedSnapshot) -> dict[str, tuple[str | None, str]]:
 
 def _snapshots(a: Run, b: Run, warn: Callable[[str], None]) -> tuple[list[Difference], list[tuple[str, int]], int]:
     worst: dict[str, Difference] = {}
-    sizes: dict[str, float] = {}
     alone: dict[tuple[str, int], None] = {}
     one, two = ([SealedSnapshot(path) for path in snapshot_files(run.folder)] for run in (a, b))
     rows, others = _same_times(numpy.array([k.time for k in one]), numpy.array([k.time for k in two]))
-    for first, second in zip((one[k] for k in rows), (two[k] for k in others)):
-        mine, theirs = _names(first), _names(second)
-        alone.update({(name, 0): None for name in mine if name not in theirs} | {(name, 1): None for name in theirs if name not in mine})
-        for name, (body, field) in mine.items():
-            if name not in theirs:
+    for i, j in zip(rows, others):
+        first, second, time = _Ordered(one[i]), _Ordered(two[j]), one[i].time
+        alone.update({(name, 0): None for name in first.names if name not in second.names} | {(name, 1): None for name in second.names if name not in first.names})
+        for name in first.names:
+            if name not in second.names:
                 continue
-            quantity, other = first.read(body, field), second.read(body, field)
-            if quantity.values.shape != other.values.shape:
+            mine, theirs = first.read(name), second.read(name)
+            if mine.values.shape != theirs.values.shape:
+                body = first.names[name][0]
                 what = "cells" if body is None else f"points of '{body}'"
-                warn(f"{name} is left out at {first.time:.3g}: the runs have other {what} ({len(quantity.values)} and {len(other.values)} along the first axis)")
+                warn(f"{name} is left out at {time:.3g}: the runs have other {what} ({len(mine.values)} and {len(theirs.values)} along the first axis)")
                 continue
-            x, y = (quantity.values, other.values) if body is None else (_by_id(first, body, field), _by_id(second, body, field))
-            found = _compare(name, quantity.unit, x[None], y[None], numpy.array([first.time]))
-            finite = numpy.abs(numpy.concatenate([x.ravel(), y.ravel()]))
-            sizes[name] = max(sizes.get(name, 0.0), float(numpy.max(finite[numpy.isfinite(finite)], initial=0.0)))
-            if name not in worst or found.largest > worst[name].largest:
-                worst[name] = found
-    out = [one._replace(share=0.0 if one.largest == 0 else one.largest / sizes[name] if sizes[name] > 0 else math.inf) for name, one in worst.items()]
-    return out, list(alone), len(rows)
+            found = _compare(name, mine.unit, mine.values[None], theirs.values[None], numpy.array([time]))
+            worst[name] = worst[name].with_later(found) if name in worst else found
+    return list(worst.values()), list(alone), len(rows)
 
 
 def between(a: str, b: str, warn: Callable[[str], None] = lambda text: None) -> Differences:

@@ -23,8 +23,7 @@ static void take_warning(void *user, const char *text)
 static floe_status begin_simulation(floe_simulation *s)
 {
     scene *of = s->deck->scene;
-    memory_need need;
-    TRY(scene_deck_location(of, memory_refuse(of, &need)));
+    TRY(scene_deck_location(of, memory_refuse(of, NULL)));
     TRY(memory_new(s->ctx, &s->setup, 1, sizeof *s->setup));
     (void)threads_use(s->options.threads > 0 ? s->options.threads : of->threads);
     TRY(setup_begin(s->setup, of));

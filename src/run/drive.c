@@ -304,8 +304,7 @@ static floe_status rescue_state(run *r)
 static floe_status begin_run(run *r)
 {
     const run_options *o = r->options;
-    memory_need need;
-    TRY(scene_deck_location(r->scene, memory_refuse(r->scene, &need)));
+    TRY(scene_deck_location(r->scene, memory_refuse(r->scene, NULL)));
     TRY(setup_begin(&r->setup, r->scene));
     r->sim = r->setup.sim;
     r->measuring += r->setup.exact_seconds;

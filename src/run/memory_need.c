@@ -118,16 +118,19 @@ static floe_status refuse_for_memory(const scene *s, const memory_need *need)
         cell * pow(need->cells / fitting, 1.0 / s->mesh.dim));
 }
 
-floe_status memory_refuse(scene *s, memory_need *need)
+floe_status memory_refuse(scene *s, memory_need *out)
 {
     static const double plainly = 1.5;
     coarse_setup c = {0};
-    *need = (memory_need){0};
+    memory_need need = {0};
+    if (out) *out = need;
     if (!(memory_cells(&s->mesh) > RUN_READY_CELLS)) return FLOE_OK;
-    const floe_status status = memory_need_estimate(s, &c, need);
+    const floe_status status = memory_need_estimate(s, &c, &need);
     coarse_end(&c);
-    if (status == FLOE_OK) return need->bytes > plainly * need->available ? refuse_for_memory(s, need) : FLOE_OK;
-    *need = (memory_need){0};
-    context_clear(s->ctx); /* what is wrong with the coarse scene may be right with the fine one */
-    return FLOE_OK;
+    if (status != FLOE_OK) {
+        context_clear(s->ctx); /* what is wrong with the coarse scene may be right with the fine one */
+        return FLOE_OK;
+    }
+    if (out) *out = need;
+    return need.bytes > plainly * need.available ? refuse_for_memory(s, &need) : FLOE_OK;
 }

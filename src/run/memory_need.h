@@ -36,8 +36,8 @@ void memory_need_of(const sim *s, memory_need *out);
 floe_status memory_need_estimate(scene *s, coarse_setup *c, memory_need *out);
 
 /* FLOE_BAD_INPUT before a run that does not fit into memory, with what would fit: a scene of more than
- * RUN_READY_CELLS whose need is half as much again as what is available. *need: what it would hold, 0 bytes where that is not known
- * or the scene has fewer cells. */
-floe_status memory_refuse(scene *s, memory_need *need);
+ * RUN_READY_CELLS whose need is half as much again as what is available. *out: what it would hold, 0 bytes where that is not known
+ * or the scene has fewer cells; NULL: not asked. */
+floe_status memory_refuse(scene *s, memory_need *out);
 
 #endif

@@ -32,8 +32,7 @@ bool scene_is_given_by_density(const scene *s, int material)
     return true;
 }
 
-/* m/s2: what bodies of the deck fall with at the start. */
-static void find_pulls(const scene *s, double pull[SCENE_MAX_BODIES][3])
+void scene_find_pulls(const scene *s, double pull[SCENE_MAX_BODIES][3])
 {
     memset(pull, 0, SCENE_MAX_BODIES * sizeof *pull);
     for (int l = 0; l < s->n_loads; ++l) {
@@ -54,7 +53,7 @@ int scene_point_columns(const scene *s, double pull[SCENE_MAX_BODIES])
     double way = 0.0;
     memset(pull, 0, SCENE_MAX_BODIES * sizeof *pull);
     if (s->coupling != COUPLING_MPM || s->time.solver != SOLVER_DYNAMIC || !scene_adds_weight(s)) return -1;
-    find_pulls(s, all);
+    scene_find_pulls(s, all);
     for (int b = 0; b < s->n_bodies; ++b)
         for (int a = 0; a < s->mesh.dim; ++a) {
             if (all[b][a] == 0.0 || s->material[s->body[b].material].kind != MATERIAL_FLUID) continue;

@@ -9,17 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-/* m/s2: what bodies of the deck fall with, in each direction. */
-static void acceleration_of(const scene *s, int body, double out[3])
-{
-    out[0] = out[1] = out[2] = 0.0;
-    for (int l = 0; l < s->n_loads; ++l) {
-        const scene_load *load = &s->load[l];
-        if (load->kind != LOAD_BODY_FORCE || (load->body >= 0 && load->body != body)) continue;
-        for (int a = 0; a < s->mesh.dim; ++a) out[a] += load->vector[a];
-    }
-}
-
 static double height_of(const scene *s, const scene_body *b, int axis)
 {
     double lo[3] = {0.0}, hi[3] = {0.0};
@@ -84,15 +73,15 @@ static void remark_sinking(remark_speaker *w, const scene_body *b)
 void remark_columns(const scene *s, remark_sink *say, void *user)
 {
     remark_speaker w = {.s = s, .say = say, .user = user};
+    double pull[SCENE_MAX_BODIES][3];
     if (s->coupling != COUPLING_MPM || s->time.solver != SOLVER_DYNAMIC) return;
+    scene_find_pulls(s, pull);
     for (int k = 0; k < s->n_bodies; ++k) {
         const scene_body *b = &s->body[k];
-        double pull[3];
         if (s->material[b->material].kind != MATERIAL_FLUID) continue;
-        acceleration_of(s, k, pull);
         for (int a = 0; a < s->mesh.dim; ++a) {
-            if (!stands(s, b, a, pull[a])) continue;
-            remark_column(&w, b, a, pull[a]);
+            if (!stands(s, b, a, pull[k][a])) continue;
+            remark_column(&w, b, a, pull[k][a]);
             remark_sinking(&w, b);
         }
     }

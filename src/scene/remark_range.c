@@ -118,29 +118,6 @@ static void remark_bodies(remark_speaker *w)
     }
 }
 
-/* Largest pressure (Pa) that a body of a material, or the ambient of it, is given; 0: none is. */
-static double given_pressure(const scene *s, int material)
-{
-    double most = s->has_ambient && s->ambient_material == material ? fmax(s->ambient_pressure, 0.0) : 0.0;
-    for (int k = 0; k < s->n_bodies; ++k)
-        if (s->body[k].material == material) most = fmax(most, s->body[k].pressure);
-    return most;
-}
-
-static void remark_target(remark_speaker *w, const scene_load *load)
-{
-    const scene *s = w->s;
-    const double target = s->reference_pressure + load->target, given = given_pressure(s, load->material);
-    const char *unit = s->dimensionless ? "" : " Pa";
-    remark_set_key(w, "loads", load->name, "target");
-    if (given > target * (1.0 + 1e-9))
-        remark_key(w,
-                   "'%s' starts at %g%s, and its mean is brought to %g%s: where that is less than it has, the load "
-                   "takes energy out. "
-                   "Take a larger target, or a lower pressure",
-                   s->material[load->material].name, given, unit, target, unit);
-}
-
 static void remark_load(remark_speaker *w, const scene_load *load)
 {
     const scene *s = w->s;
@@ -155,7 +132,6 @@ static void remark_load(remark_speaker *w, const scene_load *load)
                    "its ramp ends at t = %g%s, and the run at %g%s: %.3g of the load is reached. Take a shorter ramp, "
                    "or end later",
                    full, unit, s->time.end, unit, (s->time.end - load->start) / load->ramp);
-    if (load->kind == LOAD_PRESSURISE) remark_target(w, load);
     const double size =
         sqrt(load->vector[0] * load->vector[0] + load->vector[1] * load->vector[1] + load->vector[2] * load->vector[2]);
     if (load->kind == LOAD_BODY_FORCE && !s->dimensionless && size > 1e6)

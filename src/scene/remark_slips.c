@@ -134,16 +134,11 @@ static void remark_gas(const remark_speaker *w, const eos *law, double p, double
                    p, free_path(p, T));
 }
 
-static bool bounds_of(const scene *s, const scene_body *b, double lo[3], double hi[3])
-{
-    return shape_bounds(&b->shape, s->mesh.dim, lo, hi);
-}
-
 /* Extent of a body over that of the mesh, along the axis where it is largest. */
 static double largest_share(const scene *s, const scene_body *b)
 {
     double lo[3] = {0.0}, hi[3] = {0.0}, share = 0.0;
-    if (!bounds_of(s, b, lo, hi)) return NAN;
+    if (!shape_bounds(&b->shape, s->mesh.dim, lo, hi)) return NAN;
     for (int a = 0; a < s->mesh.dim; ++a) share = fmax(share, (hi[a] - lo[a]) / (s->mesh.upper[a] - s->mesh.lower[a]));
     return share;
 }
@@ -151,7 +146,7 @@ static double largest_share(const scene *s, const scene_body *b)
 static double thinnest_in_cells(const scene *s, const scene_body *b)
 {
     double lo[3] = {0.0}, hi[3] = {0.0}, cells = INFINITY;
-    if (!bounds_of(s, b, lo, hi)) return NAN;
+    if (!shape_bounds(&b->shape, s->mesh.dim, lo, hi)) return NAN;
     for (int a = 0; a < s->mesh.dim; ++a) cells = fmin(cells, (hi[a] - lo[a]) / s->mesh.cell[a]);
     return cells;
 }
@@ -201,7 +196,7 @@ static void remark_flight(remark_speaker *w)
 {
     const scene *s = w->s;
     double lo[3] = {0.0}, hi[3] = {0.0};
-    if (!flies_alone(s) || !bounds_of(s, &s->body[0], lo, hi)) return;
+    if (!flies_alone(s) || !shape_bounds(&s->body[0].shape, s->mesh.dim, lo, hi)) return;
     remark_set_key(w, "bodies", s->body[0].name, "velocity");
     for (int a = 0; a < s->mesh.dim; ++a) {
         const double flight = s->body[0].velocity[a] * s->time.end;
@@ -240,12 +235,29 @@ static double softest_solid(const scene *s)
     return least;
 }
 
+/* Largest pressure (Pa) that a body of a material, or the ambient of it, is given; 0: none is. */
+static double given_pressure(const scene *s, int material)
+{
+    double most = s->has_ambient && s->ambient_material == material ? fmax(s->ambient_pressure, 0.0) : 0.0;
+    for (int k = 0; k < s->n_bodies; ++k)
+        if (s->body[k].material == material) most = fmax(most, s->body[k].pressure);
+    return most;
+}
+
 static void remark_target(remark_speaker *w, const scene_load *load)
 {
     const scene *s = w->s;
     double lo[3] = {0.0}, hi[3] = {0.0};
     if (load->kind != LOAD_PRESSURISE) return;
+    const double target = s->reference_pressure + load->target, given = given_pressure(s, load->material);
+    const char *unit = s->dimensionless ? "" : " Pa";
     remark_set_key(w, "loads", load->name, "pressurise.target");
+    if (given > target * (1.0 + 1e-9))
+        remark_key(
+            w,
+            "'%s' starts at %g%s, and its mean is brought to %g%s: where that is less than it has, the load takes "
+            "energy out. Take a larger target, or a lower pressure",
+            s->material[load->material].name, given, unit, target, unit);
     if (fabs(load->target) > softest_solid(s))
         remark_key(w, "it is %.3g times the smallest bulk modulus of the solids: give both in Pa, or with their units",
                    load->target / softest_solid(s));
@@ -268,7 +280,9 @@ static void remark_weight(remark_speaker *w, const scene_load *load)
     for (int k = 0; k < s->n_bodies; ++k) {
         double lo[3] = {0.0}, hi[3] = {0.0}, most = 0.0;
         const scene_material *m = &s->material[s->body[k].material];
-        if ((load->body >= 0 && load->body != k) || !remark_is_solid(m) || !bounds_of(s, &s->body[k], lo, hi)) continue;
+        if ((load->body >= 0 && load->body != k) || !remark_is_solid(m) ||
+            !shape_bounds(&s->body[k].shape, s->mesh.dim, lo, hi))
+            continue;
         for (int a = 0; a < s->mesh.dim; ++a) most = fmax(most, fabs(load->vector[a]) * (hi[a] - lo[a]));
         const double share = m->density * most / m->law->bulk_modulus(m->law_par);
         if (share > 1.0)
@@ -284,7 +298,9 @@ static double longest_body(const scene *s)
     double most = 0.0;
     for (int k = 0; k < s->n_bodies; ++k) {
         double lo[3] = {0.0}, hi[3] = {0.0};
-        if (!remark_is_solid(&s->material[s->body[k].material]) || !bounds_of(s, &s->body[k], lo, hi)) continue;
+        if (!remark_is_solid(&s->material[s->body[k].material]) ||
+            !shape_bounds(&s->body[k].shape, s->mesh.dim, lo, hi))
+            continue;
         for (int a = 0; a < s->mesh.dim; ++a)
             most = fmax(most, fmin(hi[a], s->mesh.upper[a]) - fmax(lo[a], s->mesh.lower[a]));
     }

@@ -2,6 +2,15 @@
 
 #include "geom/bounds.h"
 
+bool scene_meets_domain(const scene *s, const shape *part)
+{
+    double lo[3] = {0}, hi[3] = {0};
+    if (!shape_bounds(part, s->mesh.dim, lo, hi)) return true;
+    for (int axis = 0; axis < s->mesh.dim; axis++)
+        if (!(hi[axis] > s->mesh.lower[axis] && lo[axis] < s->mesh.upper[axis])) return false;
+    return true;
+}
+
 bool body_reaches_side(const scene *s, const scene_body *b, int axis, int side)
 {
     double lo[3] = {0.0}, hi[3] = {0.0};

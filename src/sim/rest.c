@@ -15,7 +15,7 @@ static const double share_of_run = 0.02;
 static double extent_of(const sim *s, const shape *of)
 {
     double lo[3], hi[3], most = 0.0;
-    const bool bounded = of->model && of->model->bounds(of->par, s->mesh.dim, lo, hi);
+    const bool bounded = shape_bounds(of, s->mesh.dim, lo, hi);
     for (int a = 0; a < s->mesh.dim; ++a) {
         const double lower = bounded ? fmax(lo[a], s->mesh.lower[a]) : s->mesh.lower[a];
         const double upper = bounded ? fmin(hi[a], s->mesh.upper[a]) : s->mesh.upper[a];

@@ -89,10 +89,10 @@ floe_status sim_refresh(sim *s);
 floe_status sim_check_rest(sim *s, const sim_totals *t);
 /* Time (s) for which they must be at rest: from the deck, else several sound crossings. */
 double sim_rest_window(const sim *s);
-/* Whether, by the last checks of the ledger, spurious energy exceeds the kinetic and strain energy and a tenth of the
- * total energy: the run cannot give an answer. */
 /* J: what the fluids could set in motion by themselves, at the start; -1 where open sides, heat or points bring more than that. */
 floe_status sim_find_stored_work(sim *s, double *work);
+/* Whether, by the last checks of the ledger, spurious energy exceeds the kinetic and strain energy and a tenth of the
+ * total energy: the run cannot give an answer. */
 bool sim_has_grown(const sim *s);
 /* Describes the spurious energy, the fastest motion and its place, and the remedy. */
 enum { SIM_GROWTH_TEXT = 512 };

@@ -38,50 +38,45 @@ static void make_table(table *t, context *ctx)
     add_row(t, "quadratic", 0.125, NULL);
 }
 
-static void people_see_columns(void **state)
+/* What is printed in lines of so many columns; 0: as long as they are. */
+static void check_printed(int width, const char *expected)
 {
-    (void)state;
     context *ctx = context_create();
     char text[1024] = "";
     FILE *file = tmpfile();
     table t;
     make_table(&t, ctx);
-    check_ok(ctx, table_print(&t, file));
+    check_ok(ctx, width > 0 ? table_print_at(&t, file, width) : table_print(&t, file));
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     (void)fclose(file);
-    assert_string_equal(text, "basis            e     share  steps  note\n"
-                              "linear     1234.57      50 %      7  a \"b\", c\n"
-                              "quadratic  has failed\n"
-                              "quadratic     0.12      50 %      7  a \"b\", c\n");
+    assert_string_equal(text, expected);
     table_free(&t);
     context_destroy(&ctx);
+}
+
+static void people_see_columns(void **state)
+{
+    (void)state;
+    check_printed(0, "basis            e     share  steps  note\n"
+                     "linear     1234.57      50 %      7  a \"b\", c\n"
+                     "quadratic  has failed\n"
+                     "quadratic     0.12      50 %      7  a \"b\", c\n");
 }
 
 /* What does not fit beside the names follows below, with the names again. */
 static void a_narrow_terminal_gets_sheets(void **state)
 {
     (void)state;
-    context *ctx = context_create();
-    char text[1024] = "";
-    FILE *file = tmpfile();
-    table t;
-    make_table(&t, ctx);
-    check_ok(ctx, table_print_at(&t, file, 30));
-    rewind(file);
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
-    (void)fclose(file);
-    assert_string_equal(text, "basis            e     share\n"
-                              "linear     1234.57      50 %\n"
-                              "quadratic  has failed\n"
-                              "quadratic     0.12      50 %\n"
-                              "\n"
-                              "basis      steps  note\n"
-                              "linear         7  a \"b\", c\n"
-                              "quadratic\n"
-                              "quadratic      7  a \"b\", c\n");
-    table_free(&t);
-    context_destroy(&ctx);
+    check_printed(30, "basis            e     share\n"
+                      "linear     1234.57      50 %\n"
+                      "quadratic  has failed\n"
+                      "quadratic     0.12      50 %\n"
+                      "\n"
+                      "basis      steps  note\n"
+                      "linear         7  a \"b\", c\n"
+                      "quadratic\n"
+                      "quadratic      7  a \"b\", c\n");
 }
 
 static void csv_has_names_and_units(void **state)

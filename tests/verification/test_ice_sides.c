@@ -157,6 +157,18 @@ static void reservoir(void **state)
     }
 }
 
+/* Runs from a state at rest: mass and energy that enter (kg, J). */
+static void fill(fixture *f, double *mass, double *energy)
+{
+    ice_totals first, last;
+    fixture_start(f);
+    check_ok(f->ctx, ice_sum(f->ice, &first));
+    fixture_run(f, 0.3);
+    check_ok(f->ctx, ice_sum(f->ice, &last));
+    *mass = last.mass[0] - first.mass[0];
+    *energy = last.internal[0] + last.kinetic[0] - first.internal[0];
+}
+
 /* A closed vessel that a reservoir fills, or an outlet behind which such fluid is known: what enters brings the enthalpy of the fluid at rest, from the first step on. 4e-6 to 5e-4 off. */
 static void filling(void **state)
 {
@@ -164,19 +176,14 @@ static void filling(void **state)
     static const double inside[] = {5.0, 1.0, 0.1, 0.01};
     for (int variant = 0; variant < 12; ++variant) {
         fixture f;
-        ice_totals first, last;
         const int dim = 1 + variant / 4 % 2;
         fixture_create(&f, dim, (const int[]){20, 8}, (const double[]){1.0, 0.4}, false);
         fixture_fluid(&f, "ideal", 1.4, 2.5, 0.0);
         fixture_fill(&f, 0, inside[variant % 4], 1.0, (double)NAN);
         f.scene->bc.side[0][0] = (bc_side){.kind = BC_RESERVOIR, .pressure = 10.0, .temperature = 1.0, .material = 0};
         if (variant >= 8) f.scene->bc.side[0][0].kind = BC_OUTLET;
-        fixture_start(&f);
-        check_ok(f.ctx, ice_sum(f.ice, &first));
-        fixture_run(&f, 0.3);
-        check_ok(f.ctx, ice_sum(f.ice, &last));
-        const double mass = last.mass[0] - first.mass[0],
-                     energy = last.internal[0] + last.kinetic[0] - first.internal[0];
+        double mass, energy;
+        fill(&f, &mass, &energy);
         printf("filled from %g of the reservoir's pressure: energy of what enters %.1e off\n",
                0.1 * inside[variant % 4], energy / (3.5 * mass) - 1.0);
         check_close_relative(energy, 3.5 * mass, 1e-3);
@@ -343,18 +350,13 @@ static void liquid_fills(void **state)
     (void)state;
     for (int outlet = 0; outlet < 2; ++outlet) {
         fixture f;
-        ice_totals first, last;
         fixture_create(&f, 1, (const int[]){20}, (const double[]){1.0}, false);
         fixture_fluid(&f, "stiffened", 4.4, 1.0, 1.0);
         fixture_fill(&f, 0, -0.9, 1.0, (double)NAN);
         f.scene->bc.side[0][0] =
             (bc_side){.kind = outlet ? BC_OUTLET : BC_RESERVOIR, .pressure = 10.0, .temperature = 1.0, .material = 0};
-        fixture_start(&f);
-        check_ok(f.ctx, ice_sum(f.ice, &first));
-        fixture_run(&f, 0.3);
-        check_ok(f.ctx, ice_sum(f.ice, &last));
-        const double mass = last.mass[0] - first.mass[0],
-                     energy = last.internal[0] + last.kinetic[0] - first.internal[0];
+        double mass, energy;
+        fill(&f, &mass, &energy);
         printf("liquid: %.3f of mass entered, its energy %.1e off\n", mass, energy / (4.4 * mass) - 1.0);
         check_close_relative(energy, 4.4 * mass, 1.4e-5);
         fixture_destroy(&f);

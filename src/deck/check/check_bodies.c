@@ -1,21 +1,10 @@
 /* Bodies and loads against the rest of the scene. */
 #include "deck/check/check.h"
-#include "geom/bounds.h"
 #include "scene/formula.h"
+#include "scene/scene_reach.h"
 #include "scene/solid_heat.h"
 
 #include <math.h>
-
-/* false when the inside of the shape lies wholly outside the domain. */
-static bool meets_domain(const scene *s, const shape *part)
-{
-    double lo[3] = {0}, hi[3] = {0};
-    if (!shape_bounds(part, s->mesh.dim, lo, hi)) return true;
-    for (int axis = 0; axis < s->mesh.dim; axis++) {
-        if (!(hi[axis] > s->mesh.lower[axis] && lo[axis] < s->mesh.upper[axis])) return false;
-    }
-    return true;
-}
 
 static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_material *m)
 {
@@ -138,7 +127,7 @@ static floe_status check_body(reader *r, const scene_body *b)
     const scene *s = r->scene;
     if (!is_clean(r->root, KEY("bodies", b->name)) || b->material < 0) return FLOE_OK;
     const scene_material *m = &s->material[b->material];
-    if (is_clean(r->root, KEY("domain")) && !meets_domain(s, &b->shape)) {
+    if (is_clean(r->root, KEY("domain")) && !scene_meets_domain(s, &b->shape)) {
         TRY(bad_at(r, KEY("bodies", b->name, "shape"), "a shape that meets the domain", NULL,
                    "body '%s' lies outside the domain", b->name));
     }
@@ -195,7 +184,7 @@ static floe_status check_load(reader *r, const scene_load *load)
         TRY(bad_at(r, KEY("loads", load->name, kind, "ramp_steps"), "one of ramp and ramp_steps", NULL,
                    "the ramp is given as a time and as a number of steps"));
     }
-    if (is_clean(r->root, KEY("domain")) && !meets_domain(s, &load->region)) {
+    if (is_clean(r->root, KEY("domain")) && !scene_meets_domain(s, &load->region)) {
         const char *region = load->kind == LOAD_TRACTION ? "surface" : "region";
         TRY(bad_at(r, KEY("loads", load->name, kind, region), "a shape that meets the domain", NULL,
                    "load '%s' acts outside the domain", load->name));

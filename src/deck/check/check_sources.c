@@ -1,18 +1,9 @@
 /* Sources of mass and vents against the rest of the scene. */
 #include "deck/check/check.h"
 
-#include "geom/bounds.h"
+#include "scene/scene_reach.h"
 
 #include <string.h>
-
-static bool meets_domain(const scene *s, const shape *part)
-{
-    double lo[3] = {0}, hi[3] = {0};
-    if (!shape_bounds(part, s->mesh.dim, lo, hi)) return true;
-    for (int axis = 0; axis < s->mesh.dim; axis++)
-        if (!(hi[axis] > s->mesh.lower[axis] && lo[axis] < s->mesh.upper[axis])) return false;
-    return true;
-}
 
 static floe_status check_source(reader *r, const scene_mass_source *source)
 {
@@ -24,7 +15,7 @@ static floe_status check_source(reader *r, const scene_mass_source *source)
     if (!(source->end > source->start))
         return bad_at(r, KEY("sources", source->name, "end"), "a time after 'start'", NULL,
                       "source '%s' ends (%g) before it begins (%g)", source->name, source->end, source->start);
-    if (is_clean(r->root, KEY("domain")) && !meets_domain(s, &source->region))
+    if (is_clean(r->root, KEY("domain")) && !scene_meets_domain(s, &source->region))
         return bad_at(r, KEY("sources", source->name, "region"), "a shape that meets the domain", NULL,
                       "source '%s' lies outside the domain", source->name);
     return FLOE_OK;
@@ -43,7 +34,7 @@ static floe_status check_vent_side(reader *r, const scene_vent *vent, int side)
         return bad_at(r, KEY("vents", vent->name, name[side], "material"), "a fluid with eos: {ideal: ...}", NULL,
                       "the flow through vent '%s' is that of an ideal gas, and '%s' is '%s'", vent->name, m->name,
                       m->eos.model->name);
-    if (is_clean(r->root, KEY("domain")) && !meets_domain(s, &given->region))
+    if (is_clean(r->root, KEY("domain")) && !scene_meets_domain(s, &given->region))
         return bad_at(r, KEY("vents", vent->name, name[side], "region"), "a shape that meets the domain", NULL,
                       "vent '%s' leads to where the domain is not", vent->name);
     return FLOE_OK;

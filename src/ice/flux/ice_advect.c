@@ -188,7 +188,7 @@ FLOE_ALWAYS_INLINE double crest_share(const donors *d, ptrdiff_t t, const int di
 FLOE_ALWAYS_INLINE void donate_quantity(const donors *d, int i, ptrdiff_t t, const int dim, const bool multi)
 {
     slope G = slope_of(&d->q[i], t, dim);
-    if (!multi && i < dim) G.margin += crest_share(d, t, dim) * G.between;
+    if (!multi && i < dim && d->beyond > 0.0) G.margin += crest_share(d, t, dim) * G.between;
     const double mass = d->rho.at[t], fill = d->fill[t], value = d->q[i].at[t];
     const double sloped = multi || i != dim ? 1.0 : 1.0 - d->contact[t], leans = multi ? d->leans[t] : 1.0;
     const double scale = sloped * mass * limited_factor(G.margin, G.reach * d->rarest[t], d->lo * leans, d->hi * leans);

@@ -23,7 +23,7 @@ typedef struct cell_contents {
     bool *solid; /* some point of a solid is there */
 } cell_contents;
 
-static size_t seed_cell_of(const mesh *m, const seed_list *list, size_t n)
+size_t seed_cell_of(const mesh *m, const seed_list *list, size_t n)
 {
     size_t cell = 0;
     for (int a = m->dim - 1; a >= 0; --a) cell = cell * (size_t)m->n[a] + (size_t)list->cell[a][n];

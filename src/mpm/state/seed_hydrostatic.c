@@ -4,6 +4,7 @@
 #include "mpm/state/seed_hydrostatic.h"
 
 #include "base/memory.h"
+#include "mpm/state/seed_fill.h"
 #include "scene/fluid_columns.h"
 
 #include <math.h>
@@ -33,16 +34,16 @@ typedef struct hydrostatic {
     int axis;
     double way;          /* along the axis: 1 up, -1 down */
     ptrdiff_t stride[3]; /* from a cell to the next along each axis */
+    ptrdiff_t down;      /* from a cell to the one below */
     column_cell *cell;   /* owned */
     fluid_run *run;      /* owned */
     int runs;
 } hydrostatic;
 
-static size_t cell_of_point(const hydrostatic *w, int body, size_t n)
+/* The k-th cell of a run from its upper end. */
+static size_t run_cell(const hydrostatic *w, const fluid_run *run, int k)
 {
-    size_t at = 0;
-    for (int a = 0; a < w->s->mesh->dim; ++a) at += (size_t)(w->list[body].cell[a][n] * w->stride[a]);
-    return at;
+    return (size_t)((ptrdiff_t)run->first + k * w->down);
 }
 
 static double depth(const hydrostatic *w, double x)
@@ -78,7 +79,7 @@ static void note_points(hydrostatic *w)
     for (int body = 0; body < s->n_bodies; ++body) {
         const seed_list *list = &w->list[body];
         for (size_t n = 0; n < list->n; ++n) {
-            column_cell *c = &w->cell[cell_of_point(w, body, n)];
+            column_cell *c = &w->cell[seed_cell_of(w->s->mesh, &w->list[body], n)];
             if (!s->body[body].fluid) {
                 c->solid = true;
                 continue;
@@ -100,15 +101,14 @@ static bool side_holds(const mpm *s, int axis, double way)
 /* The run that begins at a place of a column, in cells from its upper end; it is added to the list where something holds it. */
 static int add_run(hydrostatic *w, size_t highest, int begin, int cells)
 {
-    const ptrdiff_t down = (w->way > 0.0 ? 1 : -1) * w->stride[w->axis];
-    column_cell *first = &w->cell[(ptrdiff_t)highest + begin * down];
+    column_cell *first = &w->cell[(ptrdiff_t)highest + begin * w->down];
     fluid_run run = {.first = (size_t)(first - w->cell)};
-    while (begin + run.n < cells && first[run.n * down].volume > 0.0) ++run.n;
-    const column_cell *last = &first[(run.n - 1) * down];
+    while (begin + run.n < cells && first[run.n * w->down].volume > 0.0) ++run.n;
+    const column_cell *last = &first[(run.n - 1) * w->down];
     const bool on_side = begin + run.n == cells;
-    const bool borne = last->solid || (on_side ? side_holds(w->s, w->axis, w->way) : last[down].solid);
-    run.covered = first->solid || (begin > 0 && first[-down].solid);
-    for (int k = 0; k < run.n; ++k) first[k * down].settled = borne && !run.covered;
+    const bool borne = last->solid || (on_side ? side_holds(w->s, w->axis, w->way) : last[w->down].solid);
+    run.covered = first->solid || (begin > 0 && first[-w->down].solid);
+    for (int k = 0; k < run.n; ++k) first[k * w->down].settled = borne && !run.covered;
     if (borne) w->run[w->runs++] = run;
     return run.n;
 }
@@ -125,9 +125,8 @@ static void find_runs(hydrostatic *w)
                 int top[3] = {i, j, k};
                 top[w->axis] = w->way > 0.0 ? 0 : cells - 1;
                 const size_t highest = (size_t)(top[0] * w->stride[0] + top[1] * w->stride[1] + top[2] * w->stride[2]);
-                const ptrdiff_t down = (w->way > 0.0 ? 1 : -1) * w->stride[w->axis];
                 for (int at = 0; at < cells;) {
-                    const bool fluid = w->cell[(ptrdiff_t)highest + at * down].volume > 0.0;
+                    const bool fluid = w->cell[(ptrdiff_t)highest + at * w->down].volume > 0.0;
                     at += fluid ? add_run(w, highest, at, cells) : 1;
                 }
             }
@@ -160,7 +159,7 @@ static floe_status sum_loads(hydrostatic *w, double *const weight[SCENE_MAX_BODI
             fluid_state state;
             for (int a = 0; a < s->mesh->dim; ++a) x[a] = list->x[a][n];
             TRY(fluid_state_below(s, body, x, weight[body][n], &state, velocity));
-            w->cell[cell_of_point(w, body, n)].load += state.density * pull * list->volume[n];
+            w->cell[seed_cell_of(w->s->mesh, &w->list[body], n)].load += state.density * pull * list->volume[n];
         }
     }
     return FLOE_OK;
@@ -169,10 +168,9 @@ static floe_status sum_loads(hydrostatic *w, double *const weight[SCENE_MAX_BODI
 /* From the top of a run, where the weight is none, down. */
 static void press_run(const hydrostatic *w, const fluid_run *run)
 {
-    const ptrdiff_t down = (w->way > 0.0 ? 1 : -1) * w->stride[w->axis];
     double above = 0.0;
     for (int k = 0; k < run->n; ++k) {
-        const size_t cell = (size_t)((ptrdiff_t)run->first + k * down);
+        const size_t cell = run_cell(w, run, k);
         column_cell *c = &w->cell[cell];
         const double upper = upper_end(w, place_of(w, cell, w->axis));
         if (k > 0) c->top = upper;
@@ -186,26 +184,24 @@ static void press_run(const hydrostatic *w, const fluid_run *run)
 static bool meet_neighbours(const hydrostatic *w, const fluid_run *run)
 {
     const mesh *m = w->s->mesh;
-    const ptrdiff_t down = (w->way > 0.0 ? 1 : -1) * w->stride[w->axis];
     double more = 0.0;
     int met = 0;
     for (int k = 0; k < run->n; ++k)
         for (int f = 0; f < 2 * m->dim; ++f) {
-            const size_t cell = (size_t)((ptrdiff_t)run->first + k * down);
+            const size_t cell = run_cell(w, run, k);
             const int axis = f / 2, place = place_of(w, cell, axis) + (f % 2 ? 1 : -1);
             const size_t beside = (size_t)((ptrdiff_t)cell + (f % 2 ? 1 : -1) * w->stride[axis]);
             if (axis == w->axis || place < 0 || place >= m->n[axis] || !w->cell[beside].settled) continue;
             more += weight_at_middle(w, beside) - weight_at_middle(w, cell);
             met++;
         }
-    for (int k = 0; k < run->n && met > 0; ++k) w->cell[(ptrdiff_t)run->first + k * down].above += more / met;
+    for (int k = 0; k < run->n && met > 0; ++k) w->cell[run_cell(w, run, k)].above += more / met;
     return met > 0;
 }
 
 static void settle_run(const hydrostatic *w, fluid_run *run)
 {
-    const ptrdiff_t down = (w->way > 0.0 ? 1 : -1) * w->stride[w->axis];
-    for (int k = 0; k < run->n; ++k) w->cell[(ptrdiff_t)run->first + k * down].settled = true;
+    for (int k = 0; k < run->n; ++k) w->cell[run_cell(w, run, k)].settled = true;
     run->covered = false;
 }
 
@@ -237,7 +233,7 @@ static double press_points(const hydrostatic *w, double *const weight[SCENE_MAX_
     for (int body = 0; body < w->s->n_bodies; ++body) {
         const seed_list *list = &w->list[body];
         for (size_t n = 0; w->s->body[body].fluid && n < list->n; ++n) {
-            const column_cell *c = &w->cell[cell_of_point(w, body, n)];
+            const column_cell *c = &w->cell[seed_cell_of(w->s->mesh, &w->list[body], n)];
             const double now =
                 c->settled ? c->above + c->load / c->volume * (depth(w, list->x[w->axis][n]) - c->top) : 0.0;
             change = fmax(change, fabs(now - weight[body][n]));
@@ -284,6 +280,7 @@ static floe_status settle_columns(hydrostatic *w, double *weight[SCENE_MAX_BODIE
         if (w->pull[s->body[body].scene_body] != 0.0) w->way = w->pull[s->body[body].scene_body] > 0.0 ? 1.0 : -1.0;
         if (s->body[body].fluid) TRY(memory_new(s->ctx, &weight[body], w->list[body].n + 1, sizeof *weight[body]));
     }
+    w->down = (w->way > 0.0 ? 1 : -1) * w->stride[w->axis];
     TRY(memory_new(s->ctx, &w->cell, mesh_cells(s->mesh), sizeof *w->cell));
     TRY(memory_new(s->ctx, &w->run, mesh_cells(s->mesh), sizeof *w->run));
     note_points(w);
