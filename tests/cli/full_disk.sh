@@ -16,10 +16,12 @@ fi
 mkdir disk elsewhere
 scene=("$cylinder" --coupling mpm --set domain.cell=0.05 --set output.interval=1e-4)
 
-# fill: not a byte is left on the disk.
+# fill: not a byte is left on the disk. The run is stopped meanwhile: what its reserve gives back is not taken too.
 fill() {
+    kill -STOP "$pid"
     dd if=/dev/zero of=disk/fill bs=1k status=none 2>/dev/null || true
     dd if=/dev/zero bs=1 count=4096 status=none >>disk/fill 2>/dev/null || true
+    kill -CONT "$pid"
 }
 
 expect 0 "$FLOE" run "${scene[@]}" -o elsewhere/whole --quiet
