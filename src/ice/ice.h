@@ -50,7 +50,10 @@ typedef struct ice_embedded_boundary {
     const double *velocity;   /* m/s: of the vertices now, three each; not owned */
     const double *path; /* m: their displacement in the step, over which the force does work, three each; not owned */
     double *force;      /* N: of all gases on the vertices, three each; not owned */
-    double heat;        /* J: heat of the enclosed gas, of the energy that points have lost in the step */
+    const double
+        *temperature;  /* K: of the vertices now, NAN where they are insulated; not owned; NULL: no heat passes */
+    double *heat_flow; /* W: that all fluids conduct into the vertices; not owned; NULL likewise */
+    double heat;       /* J: heat of the enclosed gas, of the energy that points have lost in the step */
 } ice_embedded_boundary;
 
 /* All boundaries: a gas that none encloses is outside all, and what a membrane encloses is outside those inside it. */
@@ -94,6 +97,7 @@ struct ice {
     const ice_cut_geometry *cut; /* NULL: all cells are whole */
     bool with_points;            /* some material is carried by points */
     bool heats_points;           /* heat exchange changes the temperature of some of them */
+    bool heats_walls;            /* heat is conducted through embedded boundaries (theory 7.9) */
     bool implicit;               /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
     ice_embedded embedded;
     struct wall_response

@@ -175,6 +175,9 @@
 /* Of the largest step of viscosity, so much is taken in scenes with such boundaries, however small their cells: a cell that is open by half
  * has its wall at a quarter of a cell. At 0.7 a cylinder and its flow are stable, at 1 not. */
 #define ICE_WALL_DIFFUSION 0.5
+/* The same of conduction where heat passes the boundaries: the half cell, with one neighbour a cell away and the wall, whose temperature follows it, at a quarter,
+ * takes nine tenths of the difference at most. At 0.5 gas and a solid of its own heat capacity per volume are unstable. */
+#define ICE_WALL_CONDUCTION 0.2
 /* Sampled volume fractions in the open volume of a cell are used if they differ by more than this from those in the
  * whole cell. A smaller value would mistake the error of the samples for a difference. */
 #define ICE_SAMPLED_DIFFERENCE 0.1

@@ -1,6 +1,6 @@
 /* The time step (theory 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2 where phi = 1, else 1; with the
- * implicit pressure C / max sum |u_i|/h_i, and sound may cross acoustic_cfl cells; diffusion dt <= 0.9 / (2 D sum h_i^-2) (for viscosity half of that beside
- * embedded boundaries), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Traces (theta < 1e-6) are left out.
+ * implicit pressure C / max sum |u_i|/h_i, and sound may cross acoustic_cfl cells; diffusion dt <= 0.9 / (2 D sum h_i^-2) (beside embedded boundaries half of that for viscosity, and
+ * a fifth for heat that passes them), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Traces (theta < 1e-6) are left out.
  *
  * A fluid that is coupled to the others of its cell faster than sound crosses the cell transmits sound at Wood's speed of the mixture, not at its own: a hot
  * trace of gas beside a solid does not limit the step. The limit depends on the state of the fluids alone (the volume that they leave in a cell is the
@@ -39,7 +39,7 @@ static rate_factors factors_of(const ice *s, const ice_view *v, int r)
     for (int a = 0; a < v->dim; ++a) inverse_square += v->inv_h[a] * v->inv_h[a];
     return (rate_factors){full ? sqrt(2.0) : 1.0, sqrt(inverse_square),
                           (4.0 / 3.0 * m->shear_viscosity + m->bulk_viscosity) / (s->cut ? ICE_WALL_DIFFUSION : 1.0),
-                          m->conductivity};
+                          m->conductivity / (s->heats_walls ? ICE_WALL_CONDUCTION : 1.0)};
 }
 
 static rates cell_rates(const ice_view *v, int r, const rate_factors *f, ptrdiff_t at, double rho, double c, double cv)

@@ -160,4 +160,7 @@ static inline double ice_implicit_phi(const ice_view *v, double phi)
     return most(phi, 0.5 * v->advance);
 }
 
+/* Whether some fluid of the cells is viscous. */
+bool ice_is_viscous(const ice *s);
+
 #endif

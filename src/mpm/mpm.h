@@ -186,6 +186,8 @@ floe_status mpm_begin_step(mpm *s);
  * masses, forces, motion of nodes and points. */
 floe_status mpm_mass_stages(mpm *s);
 floe_status mpm_burn_stages(mpm *s); /* after masses and N_BURNT_SHARE are known; nothing where nothing burns */
+/* Before a step beside sharp surfaces: the temperatures of nodes, where heat passes the surfaces (surface/boundary.h). */
+floe_status mpm_surface_temperature_stages(mpm *s);
 /* After forces: what conducts changes the temperatures of its nodes; nothing where nothing does. */
 floe_status mpm_conduction_stages(mpm *s);
 floe_status mpm_force_stages(mpm *s);

@@ -134,6 +134,14 @@ floe_status mpm_mass_stages(mpm *s)
     return FLOE_OK;
 }
 
+floe_status mpm_surface_temperature_stages(mpm *s)
+{
+    STAGE(s, takes_wall_heat(s), mpm_heat_to_nodes,
+          READS(P_MASS, P_POS, DOMAINS, P_TEMP, WHEN(conducts(s), P_TEMP_GRADIENT)),
+          WRITES(N_CAPACITY, N_HEAT, N_TEMP, N_TEMP_CHANGE, WHEN(conducts(s), N_HEAT_GRADIENT)));
+    return FLOE_OK;
+}
+
 floe_status mpm_burn_stages(mpm *s)
 {
     STAGE(s, s->carries[P_SHARE], mpm_burn,

@@ -2,7 +2,7 @@
 #include "scene/remark_internal.h"
 #include "scene/solid_heat.h"
 
-/* Beside fluids on cells heat passes the surface of a solid by heat exchange alone, which a sharp interface does not have. */
+/* Beside fluids on cells heat passes the surface of a solid by conduction where both conduct and the interface is sharp, and by heat exchange where it is smeared. */
 static void remark_insulated(remark_speaker *w, int material)
 {
     const scene *s = w->s;
@@ -10,12 +10,13 @@ static void remark_insulated(remark_speaker *w, int material)
     const bool sharp = s->method.interface == INTERFACE_SHARP;
     if (s->coupling != COUPLING_ICE_MPM || scene_enclosing_body(s) >= 0) return;
     if (!scene_solid_has_temperature(s, material, false) || (!sharp && scene_solid_exchanges_heat(s, material))) return;
+    if (scene_heat_passes_walls(s) && m->conductivity > 0.0) return;
     remark_set_key(w, "materials", m->name, "");
     remark_key(
         w,
         "solid '%s' has a temperature, and exchanges no heat with the fluids about it: its surface is insulated. "
-        "Heat passes by method.heat_exchange, or a pair of `exchange` with `heat`, over the cells of a smeared "
-        "interface",
+        "Heat passes a sharp interface if solid and fluid have a `conductivity`, and the cells of a smeared one by "
+        "method.heat_exchange, or a pair of `exchange` with `heat`",
         m->name);
 }
 

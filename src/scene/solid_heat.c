@@ -39,6 +39,18 @@ bool scene_some_solid_conducts(const scene *s)
     return false;
 }
 
+bool scene_heat_passes_walls(const scene *s)
+{
+    bool fluid = false, solid = false;
+    if (s->coupling != COUPLING_ICE_MPM || !scene_is_cut(s) || scene_enclosing_body(s) >= 0) return false;
+    for (int m = 0; m < s->n_materials; ++m) {
+        const bool conducts = s->material[m].conductivity > 0.0;
+        fluid = fluid || (conducts && s->material[m].kind == MATERIAL_FLUID);
+        solid = solid || (conducts && scene_solid_has_temperature(s, m, false));
+    }
+    return fluid && solid;
+}
+
 double scene_plastic_heat(const scene_material *m)
 {
     return isnan(m->plastic_heat) ? USUAL_PLASTIC_HEAT : m->plastic_heat;

@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "mpm/surface/boundary.h"
+#include "scene/solid_heat.h"
 #include "sim/interface.h"
 #include "sim/light_solid_check.h"
 
@@ -37,6 +38,7 @@ floe_status embedded_create(embedded **out, sim *s)
                     .gases = s->ice,
                     .n_boundaries = n > 0 ? n : s->ice->n_regions,
                     .walls = {.ctx = s->ctx, .solve = s->ice->implicit ? ice_cut_solve : NULL, .fluids = s->ice}};
+    s->ice->heats_walls = scene_heat_passes_walls(s->scene);
     /* stages that some step may need are planned */
     embedded_use_wall_response(t, n == 0 && (lightest_moved_solid(s->scene) >= 0 || s->ice->implicit));
     for (int l = 0; l < t->n_boundaries; ++l) {
@@ -56,6 +58,8 @@ void embedded_destroy(embedded **t)
         memory_free(ctx, &boundary->velocity);
         memory_free(ctx, &boundary->path);
         memory_free(ctx, &boundary->force);
+        memory_free(ctx, &boundary->temperature);
+        memory_free(ctx, &boundary->heat_flow);
     }
     wall_response_free(&(*t)->walls);
     memory_free(ctx, t);
@@ -73,6 +77,10 @@ static floe_status reserve_vertices(const embedded *t, embedded_boundary *bounda
     TRY(memory_resize(t->ctx, &boundary->velocity, 3 * (size_t)vertices, sizeof(double)));
     TRY(memory_resize(t->ctx, &boundary->path, 3 * (size_t)vertices, sizeof(double)));
     TRY(memory_resize(t->ctx, &boundary->force, 3 * (size_t)vertices, sizeof(double)));
+    if (t->gases->heats_walls) {
+        TRY(memory_resize(t->ctx, &boundary->temperature, (size_t)vertices, sizeof(double)));
+        TRY(memory_resize(t->ctx, &boundary->heat_flow, (size_t)vertices, sizeof(double)));
+    }
     boundary->reserved = vertices;
     return FLOE_OK;
 }
@@ -140,6 +148,8 @@ static floe_status embedded_find_now(embedded *t)
         seen->velocity = boundary->velocity;
         seen->path = boundary->path;
         seen->force = boundary->force;
+        seen->temperature = boundary->temperature;
+        seen->heat_flow = boundary->heat_flow;
     }
     if (!t->nested) ice_cut_nest(t->gases);
     t->nested = true;
@@ -164,11 +174,20 @@ floe_status embedded_find_moved(embedded *t)
     return ice_cut_check(t->gases, CUT_NEXT);
 }
 
+static floe_status embedded_find_temperatures(embedded *t)
+{
+    for (int l = 0; l < t->n_boundaries; ++l) mpm_boundary_temperature(t->points, t->boundary[l].temperature);
+    return FLOE_OK;
+}
+
 static floe_status embedded_push_points(embedded *t)
 {
     mpm_boundary_clear(t->points);
-    for (int l = 0; l < t->n_boundaries; ++l)
-        mpm_boundary_force(t->points, t->boundary[l].body, &t->boundary[l].place[CUT_NOW], t->boundary[l].force);
+    for (int l = 0; l < t->n_boundaries; ++l) {
+        const embedded_boundary *boundary = &t->boundary[l];
+        mpm_boundary_force(t->points, boundary->body, &boundary->place[CUT_NOW], boundary->force);
+        if (t->gases->heats_walls) mpm_boundary_heat(t->points, boundary->heat_flow);
+    }
     return FLOE_OK;
 }
 
@@ -216,6 +235,8 @@ floe_status embedded_step(sim *s)
 {
     embedded *t = s->embedded;
     STAGE(t, ALWAYS, embedded_find_now, READS(P_ID, P_POS, P_VEL), WRITES(NOTHING));
+    TRY(mpm_surface_temperature_stages(s->mpm));
+    STAGE(t, s->ice->heats_walls, embedded_find_temperatures, READS(N_CAPACITY, N_TEMP), WRITES(NOTHING));
     TRY(ice_cut_pressure_stages(s->ice));
     STAGE(t, ALWAYS, embedded_push_points, READS(P_POS), WRITES(NOTHING));
     TRY(mpm_step_in_substeps(s->mpm));

@@ -13,6 +13,7 @@ typedef struct embedded_boundary {
     int fluid; /* of surfaces: the fluid that they bound, by its number in the scene, or the first of several that share cells; -1: a membrane */
     cut_surface place[CUT_PLACES];   /* its positions, as in ice_embedded_boundary */
     double *velocity, *path, *force; /* of the vertices, three numbers each; owned */
+    double *temperature, *heat_flow; /* K, W: of the vertices, where heat passes them; owned */
     int reserved;                    /* vertices for which these are allocated */
     double share; /* its share of the mass of all membranes, and of the lost energy of points that heats its gas */
 } embedded_boundary;

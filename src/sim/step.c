@@ -1,4 +1,5 @@
 /* Time steps: chosen, taken, and, where they go bad, taken again smaller (docs/structure.md, A step). */
+#include "mpm/surface/boundary.h"
 #include "sim/embedded.h"
 #include "sim/light_solid_check.h"
 #include "sim/quasi_static_gas.h"
@@ -31,9 +32,9 @@ static floe_status stable_step(sim *s, double *dt, const char **reason)
     if (s->most_substeps > 1) sim_take_substeps(s, cells.dt, &points);
     limit_step(dt, reason, points.dt, points.reason);
     limit_step(dt, reason, cells.dt, cells.reason);
-    if (s->embedded)
-        limit_step(dt, reason, light_solid_step(s, cells.dt / s->scene->time.cfl_ice),
-                   "gas on a solid lighter than it");
+    if (!s->embedded) return FLOE_OK;
+    limit_step(dt, reason, light_solid_step(s, cells.dt / s->scene->time.cfl_ice), "gas on a solid lighter than it");
+    limit_step(dt, reason, mpm_wall_heat_step(s->mpm), "heat through the surfaces of solids");
     return FLOE_OK;
 }
 

@@ -48,6 +48,24 @@ FIXTURE scene_body *coupled_body(trial *t, int material, shape s, int per_cell)
     return b;
 }
 
+/* A liquid of density 1 whose pressure does not depend on its temperature. */
+FIXTURE int coupled_liquid(trial *t, double specific_heat, double conductivity)
+{
+    const struct {
+        const char *key;
+        double value;
+    } par[] = {{"density", 1.0}, {"sound_speed", 10.0}, {"pressure", 1.0}, {"specific_heat", specific_heat}};
+    const int liquid = add_gas(t, 1.4, 1.0);
+    scene_material *m = &t->scene->material[liquid];
+    m->eos.model = eos_find("acoustic");
+    assert_non_null(m->eos.model);
+    check_ok(t->ctx, scene_allocate(t->scene, &m->eos.par, m->eos.model->param_size));
+    for (size_t k = 0; k < sizeof par / sizeof *par; ++k)
+        set_param(m->eos.model->params, m->eos.model->n_params, m->eos.par, par[k].key, 0, par[k].value);
+    m->conductivity = conductivity;
+    return liquid;
+}
+
 FIXTURE void coupled_start(trial *t)
 {
     check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, t->scene->coupling));

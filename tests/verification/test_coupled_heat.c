@@ -6,23 +6,6 @@ static const double liquid_heat = 2.0, solid_heat = 1.5,
                     solid_density = 3.0;   /* specific heats and density; the liquid's is 1 */
 static const double hot = 3.0, cold = 1.0; /* K: of the liquid and of the solid */
 
-static int add_liquid(trial *t, double conductivity)
-{
-    static const struct {
-        const char *key;
-        double value;
-    } par[] = {{"density", 1.0}, {"sound_speed", 10.0}, {"pressure", 1.0}, {"specific_heat", 2.0}};
-    const int liquid = add_gas(t, 1.4, 1.0);
-    scene_material *m = &t->scene->material[liquid];
-    m->eos.model = eos_find("acoustic");
-    assert_non_null(m->eos.model);
-    check_ok(t->ctx, scene_allocate(t->scene, &m->eos.par, m->eos.model->param_size));
-    for (size_t k = 0; k < sizeof par / sizeof *par; ++k)
-        set_param(m->eos.model->params, m->eos.model->n_params, m->eos.par, par[k].key, 0, par[k].value);
-    m->conductivity = conductivity;
-    return liquid;
-}
-
 /* A box of cells h full of liquid between mirrors; returns the solid. */
 static int begin(trial *t, int dim, const double upper[3], double h, double exchange, double conductivity)
 {
@@ -32,7 +15,7 @@ static int begin(trial *t, int dim, const double upper[3], double h, double exch
     s->coupling = COUPLING_ICE_MPM;
     s->reference_pressure = s->ambient_pressure = 1.0;
     s->has_ambient = true;
-    s->ambient_material = add_liquid(t, conductivity);
+    s->ambient_material = coupled_liquid(t, liquid_heat, conductivity);
     s->ambient_temperature = hot;
     s->method.heat_exchange = exchange;
     set_method(t, "quadratic", STRESS_USL, 1.0);

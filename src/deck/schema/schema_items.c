@@ -80,7 +80,8 @@ static const key_spec material_keys[] = {
      .doc = "viscosity of a fluid"},
     {"conductivity", KEY_NUMBER, "W/m/K", PARAM_NONNEGATIVE, AT(scene_material, conductivity), .fallback = "0",
      .applies = material_conducts, .belongs = conductors_only,
-     .doc = "thermal conductivity of a fluid on the cells, or of a solid"},
+     .doc = "thermal conductivity of a fluid on the cells, or of a solid; a fluid and a solid that both have one "
+            "exchange heat through a sharp surface"},
     {"plastic_heat", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_material, plastic_heat), .applies = material_has_law,
      .belongs = laws_only, .otherwise = "0.9 of solids that have a temperature",
      .doc = "share of plastic work that heats the solid (Taylor and Quinney); the rest is stored"},

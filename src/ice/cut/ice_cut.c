@@ -59,8 +59,8 @@ floe_status ice_cut_pressure(ice *s)
 static floe_status find_wall_flow(ice *s, const ice_region *g)
 {
     TRY(ice_find_wall_flow(s, g));
-    if (s->implicit) ice_cut_viscous_rates(s, g);
-    if (ice_covered_stick(s, g)) ice_stick_covered(s, g);
+    if (s->implicit && ice_is_viscous(s)) ice_cut_viscous_rates(s, g);
+    if (ice_covered_stick(s)) ice_stick_covered(s, g);
     return FLOE_OK;
 }
 
@@ -179,6 +179,8 @@ static floe_status find_sources(ice *s, const ice_region *g)
     TRY(ice_merge_cells(s, MERGE_MOVING, &s->cut_cells->now[g->number]));
     ice_cut_views(s, g);
     TRY(apply_apertures(s, g));
+    if (ice_conducts(s)) ice_find_temperatures(s, g);
+    if (s->heats_walls) ice_centre_temperatures(s, g);
     ice_find_sources(s, g);
     ice_merged_sources(s, g);
     TRY(ice_finish_sources(s, g));
@@ -205,7 +207,7 @@ floe_status ice_cut_merge_start(ice *s)
 floe_status ice_cut_pressure_stages(ice *s)
 {
     const bool m = ice_is_mixture(s), r = ice_reaction_count(s) > 0, slips = m && ice_some_pair_slips(s),
-               t = ice_may_trace(s), implicit = s->implicit;
+               t = ice_may_trace(s), implicit = s->implicit, viscous = ice_is_viscous(s), heat = s->heats_walls;
     STAGE(s, ALWAYS, ice_cut_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, WHEN(m, C_VOL)),
           WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK, WHEN(m, C_VOL), WHEN(m, C_PRESSURE)));
     STAGE(s, ALWAYS, ice_cut_pressure,
@@ -215,10 +217,12 @@ floe_status ice_cut_pressure_stages(ice *s)
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(m, C_ENERGY_FOUND), WHEN(m, C_VOLUME_FOUND),
                  WHEN(r, C_REACTED), WHEN(slips, C_WALL), WHEN(slips, C_OPEN)));
-    STAGE(s, ice_is_viscous(s), ice_cut_wall_flow, READS(C_RHO, C_VEL, C_OPEN),
-          WRITES(C_VEL_CENTRED, WHEN(implicit, C_VEL), WHEN(implicit, C_DIFFUSION), WHEN(implicit, C_DIFFUSION_HEAT)));
+    STAGE(s, ice_sees_walls(s), ice_cut_wall_flow,
+          READS(C_RHO, C_VEL, C_OPEN, WHEN(heat, C_ENERGY), WHEN(m && heat, C_TEMP)),
+          WRITES(WHEN(viscous, C_VEL_CENTRED), WHEN(implicit && viscous, C_VEL), WHEN(implicit && viscous, C_DIFFUSION),
+                 WHEN(implicit && viscous, C_DIFFUSION_HEAT), WHEN(heat, C_DIFFUSION_T)));
     STAGE(s, ALWAYS, ice_cut_velocity,
-          READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(implicit && ice_is_viscous(s), C_DIFFUSION), WHEN(m, C_THETA),
+          READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(implicit && viscous, C_DIFFUSION), WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL),
                 WHEN(slips, C_WALL), WHEN(t, C_ENERGY), WHEN(t, C_OPEN), WHEN(m && t, C_KAPPA),
                 WHEN(m && t, C_INTERFACE)),

@@ -86,9 +86,9 @@ floe_status ice_extrapolate_states(ice *s, const ice_region *g)
     return FLOE_OK;
 }
 
-bool ice_covered_stick(const ice *s, const ice_region *g)
+bool ice_covered_stick(const ice *s)
 {
-    return s->implicit && s->cut_cells->wall[g->number];
+    return s->implicit && ice_is_viscous(s);
 }
 
 void ice_stick_covered(const ice *s, const ice_region *g)
@@ -104,7 +104,7 @@ void ice_stick_covered(const ice *s, const ice_region *g)
 
 bool ice_keeps_sticking(const ice *s, const ice_merged_cells *p, const ice_member *m)
 {
-    if (m->open > 0.0 || !ice_covered_stick(s, p->region)) return false;
+    if (m->open > 0.0 || !ice_covered_stick(s)) return false;
     for (int place = 0; place < CUT_PLACES; ++place)
         if (ice_open_cell(s, p->region->number, place, m->cell) > 0.0) return false;
     return true;

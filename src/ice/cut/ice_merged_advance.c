@@ -54,7 +54,7 @@ static void advance_face(const ice *s, const ice_merged_cells *p, const ice_view
 void ice_merged_advance(const ice *s, const ice_region *g)
 {
     const ice_merged_cells *p = ice_merged_cells_of(s, g);
-    if (!ice_covered_stick(s, g)) return;
+    if (!ice_covered_stick(s)) return;
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const ice_view *v = &s->cut_cells->view[id];
         for (int axis = 0; axis < v->dim; ++axis) {

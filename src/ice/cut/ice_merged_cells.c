@@ -365,7 +365,7 @@ floe_status ice_merge_cells(ice *s, ice_merge_time when, ice_merged_cells *out)
     for (int k = 0; k < out->n; ++k) TRY(root_member(s, &l, out, k));
     join_thin_gaps(s, &l, out);
     number_merged_cells(out);
-    if (ice_has_weight(s) || ice_is_viscous(s)) ice_merged_centre(s, l.at[0], out);
+    if (ice_has_weight(s) || ice_sees_walls(s)) ice_merged_centre(s, l.at[0], out);
     return FLOE_OK;
 }
 

@@ -18,7 +18,7 @@ typedef struct ice_member {
     ptrdiff_t at;      /* index in the block */
     double open;       /* open fraction of the gas */
     double above
-        [3]; /* m: of the cell's centre from the open centroid of its merged cells; 0 without gravity or viscosity */
+        [3]; /* m: of the cell's centre from the open centroid of its merged cells; 0 without gravity, viscosity and heat that passes walls */
     double face[3][2]; /* mean apertures of its faces in the step, by axis and side */
 } ice_member;
 
@@ -64,7 +64,7 @@ typedef struct ice_cut_cells {
     ice_merged_cells now[ICE_CUT_REGIONS], next[ICE_CUT_REGIONS];
     fluid_state rest[ICE_CUT_REGIONS];           /* state of each gas in cells far from it */
     double usual[ICE_MAX_MATERIALS];             /* kg/m3: density of each fluid at the start */
-    struct ice_wall_flow *wall[ICE_CUT_REGIONS]; /* NULL where no fluid is viscous; owned */
+    struct ice_wall_flow *wall[ICE_CUT_REGIONS]; /* NULL where no fluid is viscous and no heat passes; owned */
     struct ice_cut_system *system;               /* of the implicit pressure (ice_cut_implicit.c); NULL: none; owned */
     ice_view *view;                              /* of every block, for one region at a time (ice_cut_views); owned */
 } ice_cut_cells;
@@ -132,7 +132,7 @@ floe_status ice_bad_merged_cells(const ice *s, const ice_merged_cells *p, int me
 floe_status ice_extrapolate_states(ice *s, const ice_region *g);
 /* Whether a viscous fluid sticks to the walls by what covered cells have (theory 7.8); gives them the velocities of 7.7; and whether a member keeps
  * that: it is covered throughout the step. */
-bool ice_covered_stick(const ice *s, const ice_region *g);
+bool ice_covered_stick(const ice *s);
 void ice_stick_covered(const ice *s, const ice_region *g);
 bool ice_keeps_sticking(const ice *s, const ice_merged_cells *p, const ice_member *m);
 /* Advection in the velocities of faces beside cells that walls cut, if so (ice_merged_advance.c). */

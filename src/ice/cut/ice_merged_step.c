@@ -7,7 +7,7 @@
  *
  * Under gravity P is linear within the merged cells: dP has the value at their centre, the other sums have that at the face or piece, so that they include
  * the weight of the cells (ice_merged_weight.c). A viscous fluid sticks to the wall: the shear force over half a cell, theta mu |A_w| (u - v)/(h/2), acts on
- * wall and fluid in opposite directions. No heat crosses the wall. Where there is no gas on its other side, the reference pressure acts there. */
+ * wall and fluid in opposite directions. Heat that a fluid conducts to it is ice_wall_heat.c's. Where there is no gas on its other side, the reference pressure acts there. */
 #include "ice/cut/ice_merged_cells.h"
 #include "ice/cut/ice_merged_pieces.h"
 #include "ice/cut/ice_wall_flow.h"
@@ -60,7 +60,7 @@ typedef struct piece_force {
 static wall_place place_of(const ice_piece_walk *w)
 {
     const cut_surface *c = &w->line->place[w->place];
-    wall_place to = {.cell = w->member->cell};
+    wall_place to = {.cell = w->member->cell, .T = ice_wall_temperature(w->s, w->line, w->piece)};
     for (int a = 0; a < w->s->mesh->dim; ++a) {
         to.x[a] = cut_at_middle(c, w->piece, a);
         to.v[a] = ice_at_middle(w->piece, w->s->mesh->dim, w->line->velocity, a);
@@ -77,7 +77,7 @@ static void force_on(const ice_piece_walk *w, piece_force *f)
     const ice_view *v = ice_member_view(s, w->member);
     const double P = pressure_on(w);
     for (int a = 0; a < s->mesh->dim; ++a) f->all[a] = w->outward * P * q->area[a];
-    if (!s->cut_cells->wall[w->p->region->number]) {
+    if (!ice_is_viscous(s)) {
         memset(f->drag, 0, sizeof f->drag);
         return;
     }
@@ -105,7 +105,7 @@ static bool is_one_cell(const ice *s, const ice_merged_cells *p, int merged)
 void ice_merged_centring(const ice *s, const ice_region *g)
 {
     ice_merged_cells *p = ice_merged_cells_of(s, g);
-    const bool stick = ice_covered_stick(s, g);
+    const bool stick = ice_covered_stick(s);
     ice_cut_views(s, g);
     if (stick) {
         ice_clear_merged(p);
@@ -332,6 +332,21 @@ static void add_drag(const ice_piece_walk *w, const piece_force *f)
     }
 }
 
+/* Heat (W) that fluid r of the region conducts to a piece. */
+static double heat_on(const ice_piece_walk *w, int r)
+{
+    const ice *s = w->s;
+    const ice_view *v = ice_member_view(s, w->member);
+    const wall_place place = place_of(w);
+    return (v->multi ? v->m[r].theta[w->member->at] : 1.0) * ice_wall_heat(s, w->p->region, r, &place);
+}
+
+static void take_wall_heat(const ice_piece_walk *w)
+{
+    for (int r = 0; r < w->p->region->n; ++r)
+        *stress_sums_of(w->p, w->member->merged, r).work -= w->weight * w->s->dt * heat_on(w, r);
+}
+
 static void add_merged_sources(const ice *s, ice_merged_cells *p)
 {
     for (int k = 0; k < p->n; ++k) {
@@ -352,6 +367,7 @@ static void add_merged_sources(const ice *s, ice_merged_cells *p)
             sum[MERGED_WORK] -= w.weight * f.all[a] * ice_at_middle(w.piece, s->mesh->dim, w.line->path, a);
         }
         add_drag(&w, &f);
+        if (s->heats_walls) take_wall_heat(&w);
     }
     add_gas_heat(s, p);
 }
@@ -468,7 +484,15 @@ static void push_vertices(const ice_piece_walk *w, const double force[3])
         for (int a = 0; a < w->s->mesh->dim; ++a) w->line->force[3 * q->vertex[k] + a] += force[a] * q->weight[k];
 }
 
-/* Forces of a region on the boundaries beside it. */
+/* The same of the heat that fluids conduct to it. */
+static void warm_vertices(const ice_piece_walk *w)
+{
+    double heat = 0.0;
+    for (int r = 0; r < w->p->region->n; ++r) heat += w->weight * heat_on(w, r);
+    for (int k = 0; k < w->s->mesh->dim; ++k) w->line->heat_flow[w->piece->vertex[k]] += heat * w->piece->weight[k];
+}
+
+/* Forces of a region on the boundaries beside it, and its heat into them. */
 static void load_vertices(const ice *s, const ice_region *g)
 {
     ice_cut_views(s, g);
@@ -479,14 +503,18 @@ static void load_vertices(const ice *s, const ice_region *g)
         force_on(&w, &f);
         for (int a = 0; a < s->mesh->dim; ++a) force[a] = w.weight * (f.all[a] - beyond * w.piece->area[a]);
         push_vertices(&w, force);
+        if (s->heats_walls) warm_vertices(&w);
     }
 }
 
 floe_status ice_cut_load(ice *s)
 {
-    for (int l = 0; l < s->embedded.n_boundaries; ++l)
-        for (int k = 0; k < 3 * s->embedded.boundary[l].place[CUT_NOW].n_vertices; ++k)
-            s->embedded.boundary[l].force[k] = 0.0;
+    for (int l = 0; l < s->embedded.n_boundaries; ++l) {
+        const ice_embedded_boundary *line = &s->embedded.boundary[l];
+        const size_t vertices = (size_t)line->place[CUT_NOW].n_vertices;
+        memset(line->force, 0, 3 * vertices * sizeof *line->force);
+        if (s->heats_walls) memset(line->heat_flow, 0, vertices * sizeof *line->heat_flow);
+    }
     for (int g = 0; g < s->n_regions; ++g) load_vertices(s, &s->region[g]);
     return s->walls ? ice_merged_response(s) : FLOE_OK;
 }

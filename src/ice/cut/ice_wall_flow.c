@@ -7,7 +7,7 @@
  * does not replace the state of the cell: the velocity is moved from centroid to centre by the difference of the fit between them, and the gradient at a
  * piece is corrected by the residual of the fit at the boundary less that at the centroid, over their distance. So each cell feels the drag of its own
  * velocity, whatever the fit smooths. */
-#include "ice/cut/ice_wall_flow.h"
+#include "ice/cut/ice_wall_fit.h"
 
 #include "base/memory.h"
 #include "ice/ice_constants.h"
@@ -17,39 +17,10 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-    TERMS = 10, /* 1, x, xx, y, yy, xy, z, zz, yz, zx: as many as the mesh has dimensions, 3, 6 or 10 */
-    AROUND = 2  /* cells to each side */
-};
-
-/* Of a fluid: its state, what the fit misses there, and the coefficients. */
-typedef struct fluid_fit {
-    double u[3], miss[3], term[3][TERMS];
-} fluid_fit;
-
-/* A cell with a fit. */
-typedef struct fit_cell {
-    int cell[3], host;             /* global; the fit whose state a covered cell starts from; itself where it is open */
-    double centre[3], centroid[3]; /* m: of the fit; of the state of its merged cells */
-    double outward[3], wall[3];    /* normal of the wall beside it and a place there; 0 where none is near */
-} fit_cell;
-
-/* A piece of a boundary at t^n. */
-typedef struct wall_sample {
-    wall_place place;
-    double size;
-    int next; /* in the same cell; -1: none */
-} wall_sample;
-
-typedef struct ice_wall_flow {
-    int *fit_of;         /* of every global cell; -1: it has none; owned */
-    int *first;          /* of each fit the first piece in its cell; -1: none; owned */
-    fit_cell *cell;      /* owned */
-    fluid_fit *fluid;    /* of each fit, as many as fluids in the region; owned */
-    wall_sample *sample; /* owned */
-    int n, n_samples;
-    size_t reserved, reserved_samples;
-} ice_wall_flow;
+bool ice_sees_walls(const ice *s)
+{
+    return s->heats_walls || ice_is_viscous(s);
+}
 
 void ice_wall_flow_destroy(context *ctx, ice_wall_flow **w)
 {
@@ -58,6 +29,7 @@ void ice_wall_flow_destroy(context *ctx, ice_wall_flow **w)
     memory_free(ctx, &(*w)->first);
     memory_free(ctx, &(*w)->cell);
     memory_free(ctx, &(*w)->fluid);
+    memory_free(ctx, &(*w)->heat);
     memory_free(ctx, &(*w)->sample);
     memory_free(ctx, w);
 }
@@ -83,7 +55,8 @@ static floe_status add_fit(ice *s, const ice_region *g, ice_wall_flow *w, const 
         const size_t wanted = w->reserved + w->reserved / 2 + 64;
         TRY(memory_resize(s->ctx, &w->cell, wanted, sizeof *w->cell));
         TRY(memory_resize(s->ctx, &w->first, wanted, sizeof *w->first));
-        TRY(memory_resize(s->ctx, &w->fluid, wanted * (size_t)g->n, sizeof *w->fluid));
+        if (ice_is_viscous(s)) TRY(memory_resize(s->ctx, &w->fluid, wanted * (size_t)g->n, sizeof *w->fluid));
+        if (s->heats_walls) TRY(memory_resize(s->ctx, &w->heat, wanted * (size_t)g->n, sizeof *w->heat));
         w->reserved = wanted;
     }
     fit_cell *f = &w->cell[w->n];
@@ -94,35 +67,6 @@ static floe_status add_fit(ice *s, const ice_region *g, ice_wall_flow *w, const 
     w->first[w->n] = -1;
     w->fit_of[cut_index(s->mesh, cell)] = w->n++;
     return FLOE_OK;
-}
-
-/* Another cell by steps along the axes, around periodic sides; false beyond the others. shift: m, of its place from where it
- * seems to be. */
-static bool find_cell_at(const mesh *m, const int from[3], const int step[3], int cell[3], double shift[3])
-{
-    for (int a = 0; a < 3; ++a) {
-        cell[a] = from[a] + step[a];
-        shift[a] = 0.0;
-        if (cell[a] >= 0 && cell[a] < m->n[a]) continue;
-        if (a >= m->dim || !m->periodic[a]) return false;
-        const int turns = cell[a] < 0 ? -1 : 1;
-        cell[a] -= turns * m->n[a];
-        shift[a] = turns * (m->upper[a] - m->lower[a]);
-        if (cell[a] < 0 || cell[a] >= m->n[a]) return false;
-    }
-    return true;
-}
-
-/* Steps to the cells around, up to `reach` to each side: for (int n = 0; next_step(dim, reach, &n, step);). */
-static bool next_step(int dim, int reach, int *n, int step[3])
-{
-    const int wide = 2 * reach + 1, count = dim == 1 ? wide : dim == 2 ? wide * wide : wide * wide * wide;
-    if (*n >= count) return false;
-    step[0] = *n % wide - reach;
-    step[1] = dim > 1 ? *n / wide % wide - reach : 0;
-    step[2] = dim > 2 ? *n / wide / wide - reach : 0;
-    ++*n;
-    return true;
 }
 
 static floe_status add_cells(ice *s, const ice_region *g, const ice_merged_cells *p, ice_wall_flow *w)
@@ -139,8 +83,8 @@ static floe_status add_cells(ice *s, const ice_region *g, const ice_merged_cells
         int step[3], cell[3];
         double shift[3];
         if (!(p->member[k].open > 0.0)) continue;
-        for (int n = 0; next_step(s->mesh->dim, 1, &n, step);) {
-            if (!find_cell_at(s->mesh, p->member[k].cell, step, cell, shift)) continue;
+        for (int n = 0; fit_next_step(s->mesh->dim, 1, &n, step);) {
+            if (!fit_find_cell(s->mesh, p->member[k].cell, step, cell, shift)) continue;
             const int fit = w->fit_of[cut_index(s->mesh, cell)];
             if (fit < 0 && ice_open_cell(s, g->number, CUT_NOW, cell) == 0.0) TRY(add_fit(s, g, w, cell, k));
             if (fit >= 0 && fit < p->n && !(p->member[fit].open > 0.0) && w->cell[fit].host == fit)
@@ -152,16 +96,11 @@ static floe_status add_cells(ice *s, const ice_region *g, const ice_merged_cells
 
 /* ---- the boundaries ---- */
 
-static double length_of(const double a[3])
-{
-    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
 static void set_sample(const ice *s, const ice_embedded_boundary *line, const cut_piece *q, double outward,
                        wall_sample *out)
 {
     const cut_surface *c = &line->place[CUT_NOW];
-    *out = (wall_sample){.place = {.cell = c->cell[q->cell].cell}, .next = -1};
+    *out = (wall_sample){.place = {.cell = c->cell[q->cell].cell, .T = ice_wall_temperature(s, line, q)}, .next = -1};
     for (int a = 0; a < s->mesh->dim; ++a) {
         out->place.x[a] = cut_at_middle(c, q, a);
         for (int k = 0; k < s->mesh->dim; ++k) out->place.v[a] += q->weight[k] * line->velocity[3 * q->vertex[k] + a];
@@ -169,7 +108,7 @@ static void set_sample(const ice *s, const ice_embedded_boundary *line, const cu
     }
     if (s->mesh->geometry == MESH_AXISYMMETRIC)
         for (int a = 0; a < 2; ++a) out->place.area[a] /= most(out->place.x[0], ICE_TINY);
-    out->size = length_of(out->place.area);
+    out->size = fit_length(out->place.area);
 }
 
 static floe_status add_samples(ice *s, const ice_region *g, ice_wall_flow *w)
@@ -211,7 +150,7 @@ static bool own_wall(const ice_wall_flow *w, fit_cell *f, int fit)
         }
     }
     if (!(size > 0.0)) return false;
-    const double length = length_of(area);
+    const double length = fit_length(area);
     for (int a = 0; a < 3; ++a) {
         f->wall[a] = f->centre[a] = x[a] / size;
         if (length > 0.1 * size) f->outward[a] = area[a] / length;
@@ -225,8 +164,8 @@ static void near_wall(const mesh *m, const ice_wall_flow *w, fit_cell *f)
     double nearest = INFINITY;
     int step[3], cell[3];
     double shift[3];
-    for (int n = 0; next_step(m->dim, AROUND, &n, step);) {
-        if (!find_cell_at(m, f->cell, step, cell, shift)) continue;
+    for (int n = 0; fit_next_step(m->dim, FIT_AROUND, &n, step);) {
+        if (!fit_find_cell(m, f->cell, step, cell, shift)) continue;
         const int fit = w->fit_of[cut_index(m, cell)];
         for (int k = fit < 0 ? -1 : w->first[fit]; k >= 0; k = w->sample[k].next) {
             const wall_sample *q = &w->sample[k];
@@ -244,93 +183,6 @@ static void near_wall(const mesh *m, const ice_wall_flow *w, fit_cell *f)
 
 /* ---- the fit ---- */
 
-/* Least squares of up to three components at once. */
-typedef struct squares {
-    double matrix[TERMS][TERMS], right[3][TERMS], weight;
-    int samples; /* of fluid */
-} squares;
-
-static int count_terms(int dim)
-{
-    return (dim + 1) * (dim + 2) / 2;
-}
-
-/* Where the terms of an axis, of its square, and of its product with the next stand. */
-static const int linear[3] = {1, 3, 6}, square[3] = {2, 4, 7}, product[3] = {5, 8, 9};
-
-static void terms_at(const mesh *m, const fit_cell *f, const double x[3], double t[TERMS])
-{
-    double y[3] = {0.0};
-    for (int a = 0; a < m->dim; ++a) y[a] = (x[a] - f->centre[a]) / m->h[a];
-    t[0] = 1.0;
-    for (int a = 0; a < 3; ++a) {
-        t[linear[a]] = y[a];
-        t[square[a]] = y[a] * y[a];
-        t[product[a]] = y[a] * y[(a + 1) % 3];
-    }
-}
-
-/* Their slopes (1/m) along the axes. */
-static void slopes_at(const mesh *m, const fit_cell *f, const double x[3], double slope[3][TERMS])
-{
-    double y[3] = {0.0};
-    for (int a = 0; a < m->dim; ++a) y[a] = (x[a] - f->centre[a]) / m->h[a];
-    memset(slope, 0, 3 * sizeof slope[0]);
-    for (int a = 0; a < m->dim; ++a) {
-        slope[a][linear[a]] = 1.0 / m->h[a];
-        slope[a][square[a]] = 2.0 * y[a] / m->h[a];
-        slope[a][product[a]] = y[(a + 1) % 3] / m->h[a];
-        slope[a][product[(a + 2) % 3]] = y[(a + 2) % 3] / m->h[a];
-    }
-}
-
-/* A value at x beside the cell's wall, not beyond it. */
-static void add_value(const mesh *m, const fit_cell *f, const double x[3], double share, const double value[3],
-                      squares *q)
-{
-    double beyond = 0.0, away = 0.0, t[TERMS];
-    for (int a = 0; a < m->dim; ++a) {
-        beyond += f->outward[a] * (x[a] - f->wall[a]) / m->h[a];
-        const double y = (x[a] - f->centre[a]) / m->h[a];
-        away += y * y;
-    }
-    if (beyond > ICE_WALL_BEYOND) return;
-    const double near = 0.25 + away, weight = share / (near * near);
-    terms_at(m, f, x, t);
-    const int terms = count_terms(m->dim);
-    for (int i = 0; i < terms; ++i) {
-        for (int j = 0; j <= i; ++j) q->matrix[i][j] += weight * t[i] * t[j];
-        for (int a = 0; a < m->dim; ++a) q->right[a][i] += weight * t[i] * value[a];
-    }
-    q->weight += weight;
-}
-
-/* By Cholesky's method. A little of the weight on every term keeps those small of which the values say nothing. */
-static void solve_squares(squares *q, int dim, double term[3][TERMS])
-{
-    const int terms = count_terms(dim);
-    for (int i = 1; i < terms; ++i)
-        q->matrix[i][i] += q->weight * (i == linear[0] || i == linear[1] || i == linear[2] ? 1e-9 : 1e-5);
-    for (int i = 0; i < terms; ++i)
-        for (int j = 0; j <= i; ++j) {
-            double sum = q->matrix[i][j];
-            for (int k = 0; k < j; ++k) sum -= q->matrix[i][k] * q->matrix[j][k];
-            q->matrix[i][j] = i == j ? sqrt(sum) : sum / q->matrix[j][j];
-        }
-    for (int a = 0; a < dim; ++a) {
-        double *x = term[a];
-        for (int i = 0; i < terms; ++i) {
-            x[i] = q->right[a][i];
-            for (int k = 0; k < i; ++k) x[i] -= q->matrix[i][k] * x[k];
-            x[i] /= q->matrix[i][i];
-        }
-        for (int i = terms; i-- > 0;) {
-            for (int k = i + 1; k < terms; ++k) x[i] -= q->matrix[k][i] * x[k];
-            x[i] /= q->matrix[i][i];
-        }
-    }
-}
-
 /* Velocity of fluid r in a cell; returns the open fraction of the cell, 0 where there is none of the fluid. */
 static double state_in(const ice *s, int r, const int cell[3], double u[3])
 {
@@ -342,13 +194,13 @@ static double state_in(const ice *s, int r, const int cell[3], double u[3])
 }
 
 static void add_wall_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, int r, const double u0[3],
-                           squares *q)
+                           fit_squares *q)
 {
     const mesh *m = s->mesh;
     int step[3], cell[3];
     double shift[3], x[3] = {0.0}, u[3] = {0.0};
-    for (int n = 0; next_step(m->dim, AROUND, &n, step);) {
-        if (!find_cell_at(m, f->cell, step, cell, shift)) continue;
+    for (int n = 0; fit_next_step(m->dim, FIT_AROUND, &n, step);) {
+        if (!fit_find_cell(m, f->cell, step, cell, shift)) continue;
         const double open = state_in(s, r, cell, u);
         if (!(open > 0.0)) continue;
         const int fit = w->fit_of[cut_index(m, cell)];
@@ -356,19 +208,17 @@ static void add_wall_fluid(const ice *s, const ice_wall_flow *w, const fit_cell 
             x[a] = (fit < 0 ? mesh_centre(m, a, cell[a]) : w->cell[fit].centroid[a]) + shift[a];
             u[a] -= u0[a];
         }
-        add_value(m, f, x, open, u, q);
+        fit_add(m, f, x, open, u, q);
         q->samples++;
     }
 }
 
-static void add_walls(const mesh *m, const ice_wall_flow *w, const fit_cell *f, const double u0[3], squares *q)
+static void add_walls(const mesh *m, const ice_wall_flow *w, const fit_cell *f, const double u0[3], fit_squares *q)
 {
     int step[3], cell[3];
-    double shift[3], x[3] = {0.0}, u[3] = {0.0}, across = 1.0;
-    for (int a = 0; a < m->dim; ++a) across = a == 0 ? m->h[a] : least(across, m->h[a]);
-    const double area = m->dim == 1 ? 1.0 : m->dim == 2 ? across : across * across;
-    for (int n = 0; next_step(m->dim, AROUND, &n, step);) {
-        if (!find_cell_at(m, f->cell, step, cell, shift)) continue;
+    double shift[3], x[3] = {0.0}, u[3] = {0.0};
+    for (int n = 0; fit_next_step(m->dim, FIT_AROUND, &n, step);) {
+        if (!fit_find_cell(m, f->cell, step, cell, shift)) continue;
         const int fit = w->fit_of[cut_index(m, cell)];
         for (int k = fit < 0 ? -1 : w->first[fit]; k >= 0; k = w->sample[k].next) {
             const wall_sample *p = &w->sample[k];
@@ -376,30 +226,23 @@ static void add_walls(const mesh *m, const ice_wall_flow *w, const fit_cell *f, 
                 x[a] = p->place.x[a] + shift[a];
                 u[a] = p->place.v[a] - u0[a];
             }
-            add_value(m, f, x, 2.0 * least(1.0, p->size / area), u, q);
+            fit_add(m, f, x, fit_wall_share(m, p), u, q);
         }
     }
 }
 
-static double sum_terms(const double t[TERMS], const double term[TERMS])
-{
-    double sum = 0.0;
-    for (int i = 0; i < TERMS; ++i) sum += t[i] * term[i];
-    return sum;
-}
-
 static void fit_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, int r, fluid_fit *out)
 {
-    squares q = {.weight = 0.0};
-    double t[TERMS];
+    fit_squares q = {.components = s->mesh->dim};
+    double t[FIT_TERMS];
     memset(out, 0, sizeof *out);
     (void)state_in(s, r, w->cell[f->host].cell, out->u);
     add_wall_fluid(s, w, f, r, out->u, &q);
     if (q.samples <= s->mesh->dim) return;
     add_walls(s->mesh, w, f, out->u, &q);
-    solve_squares(&q, s->mesh->dim, out->term);
-    terms_at(s->mesh, f, f->centroid, t);
-    for (int a = 0; a < s->mesh->dim; ++a) out->miss[a] = -sum_terms(t, out->term[a]);
+    fit_solve(&q, s->mesh->dim, out->term);
+    fit_terms(s->mesh, f, f->centroid, t);
+    for (int a = 0; a < s->mesh->dim; ++a) out->miss[a] = -fit_sum(t, out->term[a]);
 }
 
 /* ---- what it gives ---- */
@@ -410,11 +253,11 @@ static void store_centre(const ice *s, const ice_wall_flow *w, const fit_cell *f
     const ice_view *v = &s->cut_cells->view[mesh_block_of(s->mesh, f->cell)];
     const ptrdiff_t at = mesh_index(v->b, f->cell[0] - v->b->lo[0], f->cell[1] - v->b->lo[1], f->cell[2] - v->b->lo[2]);
     const bool open = &w->cell[f->host] == f;
-    double x[3] = {0.0}, t[TERMS];
+    double x[3] = {0.0}, t[FIT_TERMS];
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, f->cell[a]);
-    terms_at(s->mesh, f, x, t);
+    fit_terms(s->mesh, f, x, t);
     for (int a = 0; a < s->mesh->dim; ++a)
-        v->m[r].centred[a][at] = of->u[a] + sum_terms(t, of->term[a]) + (open ? of->miss[a] : 0.0);
+        v->m[r].centred[a][at] = of->u[a] + fit_sum(t, of->term[a]) + (open ? of->miss[a] : 0.0);
 }
 
 static void copy_velocities(const ice *s)
@@ -427,6 +270,20 @@ static void copy_velocities(const ice *s)
     }
 }
 
+static void find_velocities(ice *s, const ice_region *g, const ice_wall_flow *w)
+{
+    copy_velocities(s);
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < w->n; ++k) {
+        for (int r = 0; r < g->n; ++r) {
+            fluid_fit *of = &w->fluid[k * g->n + r];
+            fit_fluid(s, w, &w->cell[k], r, of);
+            store_centre(s, w, &w->cell[k], r, of);
+        }
+    }
+    for (int r = 0; r < g->n; ++r) ice_fill_ghosts(s, C_VEL_CENTRED, g->first + r, FILL_CURRENT, GHOST_VELOCITY);
+}
+
 floe_status ice_find_wall_flow(ice *s, const ice_region *g)
 {
     ice_wall_flow *w;
@@ -434,37 +291,32 @@ floe_status ice_find_wall_flow(ice *s, const ice_region *g)
     ice_cut_views(s, g);
     TRY(add_cells(s, g, &s->cut_cells->now[g->number], w));
     TRY(add_samples(s, g, w));
-    copy_velocities(s);
 #pragma omp parallel for schedule(static)
-    for (int k = 0; k < w->n; ++k) {
-        fit_cell *f = &w->cell[k];
-        if (!own_wall(w, f, k)) near_wall(s->mesh, w, f);
-        for (int r = 0; r < g->n; ++r) {
-            fluid_fit *of = &w->fluid[k * g->n + r];
-            fit_fluid(s, w, f, r, of);
-            store_centre(s, w, f, r, of);
-        }
-    }
-    for (int r = 0; r < g->n; ++r) ice_fill_ghosts(s, C_VEL_CENTRED, g->first + r, FILL_CURRENT, GHOST_VELOCITY);
+    for (int k = 0; k < w->n; ++k)
+        if (!own_wall(w, &w->cell[k], k)) near_wall(s->mesh, w, &w->cell[k]);
+    if (ice_is_viscous(s)) find_velocities(s, g, w);
+    if (s->heats_walls) ice_find_wall_heat(s, g);
     return FLOE_OK;
+}
+
+void ice_centre_temperatures(ice *s, const ice_region *g)
+{
+    fit_centre_temperatures(s, g);
+    for (int r = 0; r < g->n; ++r) ice_fill_ghosts(s, C_DIFFUSION_T, g->first + r, FILL_CURRENT, GHOST_TEMPERATURE);
 }
 
 /* Gradient of the velocity, by component and axis. */
 static void gradient_at(const ice *s, const fit_cell *f, const fluid_fit *of, const wall_place *w, double G[3][3])
 {
     const mesh *m = s->mesh;
-    const double size = length_of(w->area);
-    double t[TERMS], slope[3][TERMS], away = 0.0, finest = m->h[0];
+    const double size = fit_length(w->area);
+    const double away = fit_distance(m, f, w);
+    double t[FIT_TERMS], slope[3][FIT_TERMS];
+    fit_terms(m, f, w->x, t);
+    fit_slopes(m, f, w->x, slope);
     for (int a = 0; a < m->dim; ++a) {
-        away -= w->area[a] / size * (f->centroid[a] - w->x[a]);
-        finest = least(finest, m->h[a]);
-    }
-    away = most(away, ICE_WALL_DISTANCE * finest);
-    terms_at(m, f, w->x, t);
-    slopes_at(m, f, w->x, slope);
-    for (int a = 0; a < m->dim; ++a) {
-        const double rest = of->miss[a] - (w->v[a] - of->u[a] - sum_terms(t, of->term[a]));
-        for (int b = 0; b < m->dim; ++b) G[a][b] = sum_terms(slope[b], of->term[a]) - rest / away * w->area[b] / size;
+        const double rest = of->miss[a] - (w->v[a] - of->u[a] - fit_sum(t, of->term[a]));
+        for (int b = 0; b < m->dim; ++b) G[a][b] = fit_sum(slope[b], of->term[a]) - rest / away * w->area[b] / size;
     }
 }
 
@@ -477,7 +329,7 @@ void ice_wall_drag(const ice *s, const ice_region *g, int r, const wall_place *w
     const double mu = m->shear_viscosity, dilatation = m->bulk_viscosity - 2.0 / 3.0 * mu;
     double G[3][3], div = 0.0;
     for (int a = 0; a < dim; ++a) drag[a] = 0.0;
-    if (fit < 0 || !(length_of(w->area) > 0.0)) return;
+    if (fit < 0 || !(fit_length(w->area) > 0.0)) return;
     gradient_at(s, &flow->cell[fit], &flow->fluid[fit * g->n + r], w, G);
     for (int a = 0; a < dim; ++a) div += G[a][a];
     if (s->mesh->geometry == MESH_AXISYMMETRIC) div += w->x[0] > 0.0 ? w->v[0] / w->x[0] : G[0][0];

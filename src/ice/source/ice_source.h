@@ -11,6 +11,8 @@ bool ice_has_diffusion(const ice *s);
 bool ice_diffuses(const ice *s);
 /* Whether viscosity moves the faces: where ice_diffuses, and beside embedded boundaries with the implicit pressure. */
 bool ice_diffusion_moves_faces(const ice *s);
+/* Temperatures of a region's fluids at t^n into C_DIFFUSION_T, ghosts included. */
+void ice_find_temperatures(const ice *s, const ice_region *g);
 /* Force of viscosity (N/m3) on each whole cell of a region beside embedded boundaries, at t^n. */
 void ice_cut_diffusion_rates(const ice *s, const ice_region *g);
 

@@ -291,7 +291,6 @@ void ice_find_sources(ice *s, const ice_region *g)
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) source_rows(s, &v);
     if (!ice_has_diffusion(s)) return;
-    if (s->cut && ice_conducts(s)) ice_find_temperatures(s, g);
     (s->cut ? ice_diffuse_cut : ice_diffuse)(s, g);
     ice_diffuse_between(s, g);
 }

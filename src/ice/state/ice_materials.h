@@ -5,7 +5,6 @@
 #include "ice/ice_view.h"
 
 const ice_region *ice_region_of(const ice *s, int material);
-bool ice_is_viscous(const ice *s);
 /* Cells at interfaces between fluids of a region are found. */
 bool ice_has_interfaces(const ice *s, const ice_region *g);
 /* Mixed cells of a region are closed along isentropes: it has several fluids, or the energy of one depends on volume at given

@@ -141,8 +141,24 @@ void mpm_boundary_force(mpm *s, int body, const cut_surface *c, const double *fo
 
 void mpm_boundary_clear(mpm *s)
 {
-    if (s->surfaces->markers.n > 0)
-        memset(s->surfaces->markers.force, 0, 3 * s->surfaces->markers.n * sizeof *s->surfaces->markers.force);
+    surface_markers *k = &s->surfaces->markers;
+    if (k->n == 0) return;
+    memset(k->force, 0, 3 * k->n * sizeof *k->force);
+    memset(k->heat, 0, k->n * sizeof *k->heat);
+}
+
+void mpm_boundary_temperature(const mpm *s, double *temperature)
+{
+    const surface_markers *k = &s->surfaces->markers;
+    for (int b = 0; b < s->n_bodies; ++b)
+        for (size_t n = k->of_body[b]; n < k->of_body[b + 1]; ++n)
+            temperature[n] =
+                s->body[b].conductivity > 0.0 ? surface_temperature(s, k->group[n], k->now[n].x) : (double)NAN;
+}
+
+void mpm_boundary_heat(mpm *s, const double *heat)
+{
+    for (size_t n = 0; n < s->surfaces->markers.n; ++n) s->surfaces->markers.heat[n] += heat[n];
 }
 
 bool mpm_boundary_sum_force(const mpm *s, int body, double force[3])

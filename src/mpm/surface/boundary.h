@@ -28,6 +28,12 @@ void mpm_boundary_velocity(const mpm *s, int body, const cut_surface *c, double 
  * they are cleared. */
 void mpm_boundary_force(mpm *s, int body, const cut_surface *c, const double *force);
 void mpm_boundary_clear(mpm *s);
+/* Where heat passes surfaces (theory 7.9): the temperature (K) of each vertex, NAN where its solid conducts no heat; and the heat (W) that fluids conduct
+ * into each in the next step, added to that of other fluids until it is cleared. */
+void mpm_boundary_temperature(const mpm *s, double *temperature);
+void mpm_boundary_heat(mpm *s, const double *heat);
+/* The largest step (s) in which such heat keeps surface and fluid from overtaking each other. */
+double mpm_wall_heat_step(const mpm *s);
 /* Their sum on a solid (N) in the last step, changes included. False: the body has no surface beside a fluid of the cells, or shares it with others (welded.h). */
 bool mpm_boundary_sum_force(const mpm *s, int body, double force[3]);
 /* How these forces change with the motion of the markers in the next step (theory 7.6), whose vertices are by number the markers:

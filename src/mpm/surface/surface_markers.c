@@ -28,6 +28,7 @@ static floe_status reserve_markers(mpm *s, size_t markers, size_t chains)
     TRY(memory_resize(s->ctx, &k->group, markers, sizeof *k->group));
     TRY(memory_resize(s->ctx, &k->pin, markers, sizeof *k->pin));
     TRY(memory_resize(s->ctx, &k->force, 3 * markers, sizeof *k->force));
+    TRY(memory_resize(s->ctx, &k->heat, markers, sizeof *k->heat));
     TRY(memory_resize(s->ctx, &k->path, 3 * markers, sizeof *k->path));
     TRY(memory_resize(s->ctx, &k->beside, chains, sizeof *k->beside));
     return memory_resize(s->ctx, &k->chain, chains, sizeof *k->chain);
@@ -330,6 +331,13 @@ void scatter_markers(mpm *s, int group, const double *force)
         if (k->group[n] == group) add_surface_force(s, group, k->now[n].x, force + 3 * n);
 }
 
+void scatter_marker_heat(mpm *s, int group)
+{
+    const surface_markers *k = &s->surfaces->markers;
+    for (size_t n = 0; n < k->n; ++n)
+        if (k->group[n] == group && k->heat[n] != 0.0) add_surface_heat(s, group, k->now[n].x, k->heat[n]);
+}
+
 void move_markers(mpm *s, int group)
 {
     const surface_markers *k = &s->surfaces->markers;
@@ -373,6 +381,7 @@ void free_markers(context *ctx, surface_markers *k)
     memory_free(ctx, &k->group);
     memory_free(ctx, &k->pin);
     memory_free(ctx, &k->force);
+    memory_free(ctx, &k->heat);
     memory_free(ctx, &k->path);
     memory_free(ctx, &k->chain);
     memory_free(ctx, &k->beside);

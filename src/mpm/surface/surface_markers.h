@@ -13,6 +13,8 @@ int fluid_beside(const scene *s, const mesh *m, const contour *o, size_t chain);
 floe_status seed_markers(mpm *s);
 /* Adds forces (N, three a marker) to N_FORCE of a group, on nodes with mass. */
 void scatter_markers(mpm *s, int group, const double *force);
+/* Adds their heat (W) to N_TEMP_CHANGE of a group, likewise. */
+void scatter_marker_heat(mpm *s, int group);
 /* Next positions and velocities of the markers of a group, and the displacement over which their forces do work. */
 void move_markers(mpm *s, int group);
 /* Moves them by nodal displacements instead. */

@@ -37,6 +37,7 @@ typedef struct surface_markers {
     int *group;                           /* velocity field of each */
     int *pin;                             /* bit a: it stays on a side of the mesh across axis a */
     double *force;                        /* N, three each: forces of the gas in the step */
+    double *heat;                         /* W: that fluids conduct into each in the step */
     double *path;                         /* m, three each: displacement over which these forces do work */
     cut_chain *chain;
     int *beside; /* of each chain: the fluid of the cells that it holds back, by its number in the scene */

@@ -299,6 +299,48 @@ void add_surface_force(const mpm *s, int group, const double x[3], const double 
     }
 }
 
+/* Sums over the nodes of a place: of heat that is given, or of a temperature that is asked for. */
+typedef struct surface_heat {
+    double *change, given;
+    const double *T, *capacity;
+    double sum, weight;
+} surface_heat;
+
+static void give_node_heat(void *user, ptrdiff_t at, double weight, double mass)
+{
+    (void)mass;
+    const surface_heat *f = user;
+    f->change[at] += weight * f->given;
+}
+
+void add_surface_heat(const mpm *s, int group, const double x[3], double heat)
+{
+    const place_stencil st = surface_locate(s, group, x);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        surface_heat f = {.change = field_get(s->domain->fields[b], N_TEMP_CHANGE, group, 0), .given = heat};
+        visit_stencil(&s->mesh->block[b], &st, give_node_heat, &f);
+    }
+}
+
+static void ask_node_temperature(void *user, ptrdiff_t at, double weight, double mass)
+{
+    (void)mass;
+    surface_heat *f = user;
+    if (!(f->capacity[at] > 0.0)) return;
+    f->sum += weight * f->T[at];
+    f->weight += weight;
+}
+
+double surface_temperature(const mpm *s, int group, const double x[3])
+{
+    const place_stencil st = stencil_at(s, x);
+    const int b = place_block(s, x);
+    const fields *from = s->domain->fields[b];
+    surface_heat f = {.T = field_get(from, N_TEMP, group, 0), .capacity = field_get(from, N_CAPACITY, group, 0)};
+    visit_stencil(&s->mesh->block[b], &st, ask_node_temperature, &f);
+    return f.weight > 0.0 ? f.sum / f.weight : (double)NAN;
+}
+
 void scatter_gas_pressure(mpm *s, int enclosed)
 {
     for (size_t k = 0; k < s->surfaces->n_loaded; ++k)

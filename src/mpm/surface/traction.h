@@ -22,6 +22,10 @@ void displace_surfaces(mpm *s, node_displacement *displacement);
 void displace_position(const mpm *s, int group, const double x[3], node_displacement *displacement, double out[3]);
 /* Adds a force (N) on a body's surface to nodes of its group with mass. */
 void add_surface_force(const mpm *s, int group, const double x[3], const double force[3]);
+/* Adds heat (W) on a body's surface to N_TEMP_CHANGE, likewise. */
+void add_surface_heat(const mpm *s, int group, const double x[3], double heat);
+/* The temperature (K) of a place on a body's surface by its nodes that have one. */
+double surface_temperature(const mpm *s, int group, const double x[3]);
 /* Motion of a position on a surface in the step (m/s): its velocity, and the velocity with which a force on it does
  * work on the nodes, the mean of start and end. */
 typedef struct surface_motion {

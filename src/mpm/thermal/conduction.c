@@ -2,6 +2,8 @@
  * sides give. The flows of each point sum to zero over its nodes, so that heat is kept to round-off whatever the basis. */
 #include "grid/tile_box.h"
 #include "mpm/nodes/ghosts.h"
+#include "mpm/surface/boundary.h"
+#include "mpm/surface/surface_markers.h"
 #include "mpm/thermal/temperature_gradient.h"
 #include "mpm/thermal/thermal.h"
 #include "mpm/transfer/kernels.h"
@@ -10,6 +12,7 @@
 #include "mpm/transfer/spread.h"
 #include "mpm/transfer/windows.h"
 #include "scene/formula.h"
+#include "scene/solid_heat.h"
 
 #include <math.h>
 #include <string.h>
@@ -19,12 +22,34 @@ static const double SAFE_SHARE = 0.25;
 
 static const double RELAXATION = 1.0;
 
+/* Of the square of a cell over the diffusivity that a solid would have with the conductivity of the fluid beside it. */
+static const double WALL_SHARE = 0.125;
+
 /* ---- steps ---- */
 
 /* m2/s: at rest. */
 static double diffusivity_of(const mpm *s, const mpm_body *b)
 {
     return b->conductivity / (s->scene->material[b->scene_material].density * b->specific_heat);
+}
+
+bool takes_wall_heat(const mpm *s)
+{
+    return scene_heat_passes_walls(s->scene);
+}
+
+/* The fluid that conducts best, over a quarter of a cell, warms the half cell of a solid behind its surface: no further than itself. */
+double mpm_wall_heat_step(const mpm *s)
+{
+    double best = 0.0, least = INFINITY, inverse_square = 0.0;
+    if (!takes_wall_heat(s)) return INFINITY;
+    for (int m = 0; m < s->scene->n_materials; ++m)
+        if (s->scene->material[m].kind == MATERIAL_FLUID) best = fmax(best, s->scene->material[m].conductivity);
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].conductivity > 0.0)
+            least = fmin(least, s->scene->material[s->body[b].scene_material].density * s->body[b].specific_heat);
+    for (int a = 0; a < s->mesh->dim; ++a) inverse_square += 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
+    return WALL_SHARE * least / (best * inverse_square);
 }
 
 double conduction_step(const mpm *s, int *body)
@@ -170,7 +195,9 @@ floe_status mpm_conduct(mpm *s)
         TRY(set_side_temperatures(s, g, s->time));
         extend_to_ghosts(s, g, N_TEMP);
         visit_tiles(s, g, conduct_in_tile);
-        gather_numbers(s, g, (const field_id[]){N_TEMP_CHANGE}, 1);
+        gather_unfolded(s, g, (const field_id[]){N_TEMP_CHANGE}, 1);
+        if (takes_wall_heat(s)) scatter_marker_heat(s, g);
+        if (s->windows->reach > 0) fold_numbers(s, g, N_TEMP_CHANGE);
         for (int b = 0; b < s->mesh->n_blocks; ++b) warm_nodes(s, b, g);
     }
     domain_sum_tiles(s->mesh, s->scratch->tile_sum, 2, sum);

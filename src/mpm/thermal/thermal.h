@@ -15,6 +15,9 @@ bool heat_goes_to_nodes(const mpm *s, int body);
 /* Whether that of some body of a velocity group does; group -1: of any. */
 bool group_gives_heat(const mpm *s, int group);
 
+/* Whether fluids on cells conduct heat to its surfaces (theory 7.9). */
+bool takes_wall_heat(const mpm *s);
+
 /* Share of the difference between the points of a group and their nodes that the step takes away (conduction.c). */
 double conduction_relaxation(const mpm *s, int group);
 /* Largest stable step of conduction (s), INFINITY where nothing conducts; *body becomes the scene's body that limits it. */
