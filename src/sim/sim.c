@@ -47,7 +47,9 @@ static floe_status check_coupling(const sim *s)
                 s->ctx, KEY("coupling"),
                 "ice-mpm: body '%s' is a membrane, which cells do not see unless it `encloses` a gas; use mpm",
                 s->scene->body[b].name);
-    if (s->scene->n_bodies == 0) return fail_key(s->ctx, KEY("bodies"), "the scene has none: give one");
+    if (s->scene->n_bodies == 0 && !(s->coupling == COUPLING_ICE && s->scene->has_ambient))
+        return fail_key(s->ctx, KEY("bodies"),
+                        "the scene has none: give one, or with `ice` an `ambient` that fills it");
     return scene_refuse_unsupported(s->scene, s->coupling);
 }
 

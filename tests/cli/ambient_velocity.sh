@@ -34,6 +34,7 @@ moves_on() {
         fault "$name: $(tail -n 1 "$name/history.csv" | cut -c1-200)"
 }
 moves_on 1e-13 cells
+moves_on 1e-13 alone --set bodies=null # the ambient fills the scene
 moves_on 1e-13 points --coupling mpm
 moves_on 6e-7 both --coupling ice-mpm "${rubber[@]}" # 2.3e-7: the body gains what pressure of its smeared edge gives
 has cells/deck.yaml 'velocity: [30, 20]'
