@@ -97,7 +97,7 @@ struct ice {
     const ice_cut_geometry *cut; /* NULL: all cells are whole */
     bool with_points;            /* some material is carried by points */
     bool heats_points;           /* heat exchange changes the temperature of some of them */
-    bool heats_walls;            /* heat is conducted through embedded boundaries (theory 7.9) */
+    bool heats_walls;            /* heat is conducted through embedded boundaries (theory 7.10) */
     bool implicit;               /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
     ice_embedded embedded;
     struct wall_response

@@ -13,7 +13,7 @@ bool scene_material_burns(const scene *s, int material);
  * it shares with fluids (`smeared`), heat exchange. A solid that burns has none. */
 bool scene_solid_has_temperature(const scene *s, int material, bool smeared);
 bool scene_some_solid_conducts(const scene *s);
-/* Whether heat passes sharp surfaces of solids: some fluid and some solid with a temperature conduct it (theory 7.9). */
+/* Whether heat passes sharp surfaces of solids: some fluid and some solid with a temperature conduct it (theory 7.10). */
 bool scene_heat_passes_walls(const scene *s);
 /* The share of plastic work that becomes heat (Taylor and Quinney 1934): the deck's, or 0.9. */
 double scene_plastic_heat(const scene_material *m);

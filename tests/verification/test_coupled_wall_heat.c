@@ -1,4 +1,4 @@
-/* Heat conducted between fluids of the cells and solids with sharp surfaces (theory 7.9): two half-spaces that come into touch, with the surface anywhere in a
+/* Heat conducted between fluids of the cells and solids with sharp surfaces (theory 7.10): two half-spaces that come into touch, with the surface anywhere in a
  * cell; a liquid between round walls, in the plane, about an axis and in space; a hot body that swims; nothing made or lost, for any blocks, any threads and
  * after a restart. */
 #include "coupled_fixture.h"

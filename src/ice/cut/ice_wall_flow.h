@@ -1,4 +1,4 @@
-/* The flow beside embedded boundaries that viscous and heat-conducting fluids see (theory 7.7, 7.9): velocities and temperatures at the centres of cells that
+/* The flow beside embedded boundaries that viscous and heat-conducting fluids see (theory 7.7, 7.10): velocities and temperatures at the centres of cells that
  * boundaries cut, and their gradients at the boundaries. Only this folder includes it. */
 #ifndef ICE_WALL_FLOW_H
 #define ICE_WALL_FLOW_H

@@ -1,4 +1,4 @@
-/* Heat that fluids conduct to embedded boundaries (theory 7.9). As with velocities (ice_wall_flow.c), a polynomial is fitted about every cut cell, to the
+/* Heat that fluids conduct to embedded boundaries (theory 7.10). As with velocities (ice_wall_flow.c), a polynomial is fitted about every cut cell, to the
  * temperatures of the fluid at the centroids of open volumes and to those of the boundary where it takes heat; an insulated boundary has no value. The
  * heat on a piece is that of the fit's slope there, corrected so that every cell gives the heat of its own temperature. */
 #include "ice/cut/ice_wall_fit.h"

@@ -28,7 +28,7 @@ void mpm_boundary_velocity(const mpm *s, int body, const cut_surface *c, double 
  * they are cleared. */
 void mpm_boundary_force(mpm *s, int body, const cut_surface *c, const double *force);
 void mpm_boundary_clear(mpm *s);
-/* Where heat passes surfaces (theory 7.9): the temperature (K) of each vertex, NAN where its solid conducts no heat; and the heat (W) that fluids conduct
+/* Where heat passes surfaces (theory 7.10): the temperature (K) of each vertex, NAN where its solid conducts no heat; and the heat (W) that fluids conduct
  * into each in the next step, added to that of other fluids until it is cleared. */
 void mpm_boundary_temperature(const mpm *s, double *temperature);
 void mpm_boundary_heat(mpm *s, const double *heat);

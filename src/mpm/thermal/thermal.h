@@ -15,7 +15,7 @@ bool heat_goes_to_nodes(const mpm *s, int body);
 /* Whether that of some body of a velocity group does; group -1: of any. */
 bool group_gives_heat(const mpm *s, int group);
 
-/* Whether fluids on cells conduct heat to its surfaces (theory 7.9). */
+/* Whether fluids on cells conduct heat to its surfaces (theory 7.10). */
 bool takes_wall_heat(const mpm *s);
 
 /* Share of the difference between the points of a group and their nodes that the step takes away (conduction.c). */
