@@ -100,7 +100,7 @@ typedef struct mpm {
     long step;                     /* committed steps so far, kept by the owner of the run */
     int n_substeps, substep;       /* substeps of the step, and how many of them are committed (point_substeps.c) */
     time_solver solver;            /* SOLVER_AUTO has been chosen by then */
-    struct mpm_implicit *implicit; /* owned; NULL: steps are explicit */
+    struct mpm_implicit *implicit; /* owned; NULL: steps are explicit; so are those of SOLVER_DYNAMIC (mpm_is_solved) */
     mpm_gas *gas;                  /* gases on cells in the increment; not owned */
     int n_gases;
     const int *gas_of; /* of every global cell: the gas in it, -1: almost none; not owned */
@@ -119,6 +119,18 @@ typedef struct mpm {
     struct gas_enclosure *enclosure;  /* membrane/enclosed_gas.h */
     struct saved_points *saved;       /* point_substeps.c */
 } mpm;
+
+/* Whether steps are solved for: of statics, or implicit. */
+static inline bool mpm_is_solved(const mpm *s)
+{
+    return s->implicit && s->solver != SOLVER_DYNAMIC;
+}
+
+/* Whether explicit steps have the stiffness of solids in their inertia (implicit/implicit_walls.h). */
+static inline bool walls_are_stiff(const mpm *s)
+{
+    return s->implicit && s->solver == SOLVER_DYNAMIC;
+}
 
 /* Resolves the scene's bodies into *out: all of them in pure MPM, those of solids beside cells. Registers nothing. */
 floe_status mpm_create(mpm **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l,
@@ -142,6 +154,7 @@ floe_status mpm_node_force(mpm *s);        /* f_i = -sum V (sigma - p_p - q) gra
 floe_status mpm_share_pressures(
     mpm *s); /* whether points share changes of volume, in nearly incompressible bodies (mean_strain.h) */
 floe_status mpm_share_new_pressures(mpm *s); /* the same of the stress that the step has found (USF) */
+floe_status mpm_find_stiffness(mpm *s); /* that of solids beside an implicit pressure (implicit/implicit_walls.h) */
 floe_status mpm_find_wall_pressures(mpm *s); /* f_i of implicit wall pressures on light solids (surface/inertia.h) */
 floe_status mpm_edge_force(mpm *s);          /* f_i of the penalty on edges of solids (edge.h) */
 floe_status mpm_begin_motions(mpm *s);       /* rigid motions of the step (motion/motion.h) */
@@ -199,6 +212,13 @@ floe_status mpm_point_stages(mpm *s);
 /* Implicit steps instead of explicit ones (implicit.h): a load increment of statics, or a step of implicit dynamics. To
  * be called before the plan is made, of scenes without an obstacle. */
 floe_status mpm_solve_steps(mpm *s, time_solver solver);
+/* Walls that answer the implicit pressure of fluids on cells with their stiffness, so that the sound of solids bounds no step (implicit/implicit_walls.h): what
+ * in the scene this does not support, or NULL; and the storage for it, before the plan is made. Errors: FLOE_NO_MEMORY. */
+const char *mpm_stiff_obstacle(const mpm *s);
+floe_status mpm_stiffen_walls(mpm *s);
+/* Once the points are seeded: goes back to steps that their sound bounds where they stand at slip sides, whose springs are explicit, or are too many for the
+ * matrix. *why: the reason, or NULL. Errors: FLOE_NO_MEMORY. */
+floe_status mpm_settle_walls(mpm *s, const char **why);
 /* What in the scene the implicit solver does not support, or NULL. */
 const char *mpm_implicit_obstacle(const mpm *s, time_solver solver);
 /* Largest ratio of bulk to shear modulus of the solids, 0 where there is none; *body becomes the scene's body that has

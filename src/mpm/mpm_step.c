@@ -181,6 +181,9 @@ floe_status mpm_force_stages(mpm *s)
           WRITES(N_FORCE));
     STAGE(s, has_edges(s), mpm_edge_force, READS(N_MASS, WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, DOMAINS, N_FORCE),
           WRITES(N_FILL, N_FORCE));
+    STAGE(s, has_yielding_fluids(s) && walls_are_stiff(s), mpm_find_stiffness,
+          READS(N_MASS, N_MOMENTUM, N_FORCE, P_MASS, P_VOLUME0, P_POS, DOMAINS, POINT_STATE, EXPANDING),
+          WRITES(NOTHING));
     STAGE(s, has_yielding_fluids(s), mpm_find_wall_pressures, READS(N_MASS, N_MOMENTUM, N_FORCE),
           WRITES(N_FORCE, N_VEL_L));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE, WHEN(walls_let_go(s), N_SIDE_BODY)),
@@ -298,7 +301,7 @@ static floe_status implicit_stages(mpm *s)
 
 floe_status mpm_step(mpm *s)
 {
-    if (s->implicit) return implicit_stages(s);
+    if (mpm_is_solved(s)) return implicit_stages(s);
     TRY(mpm_begin_step(s));
     TRY(mpm_mass_stages(s));
     TRY(mpm_conduction_stages(s));

@@ -85,10 +85,22 @@ static bool looks_for_rest(const scene *s)
     return true;
 }
 
+/* Whether an implicit pressure bends walls, in steps of which each would lose what nodes return of a motion, or take it farther (theory 7.9). */
+static bool bends_walls_implicitly(const scene *s)
+{
+    bool deforms = false;
+    for (int b = 0; b < s->n_bodies; ++b)
+        deforms = deforms ||
+                  (s->material[s->body[b].material].kind == MATERIAL_SOLID && !motion_is_given(&s->body[b].motion));
+    return deforms && s->coupling == COUPLING_ICE_MPM && s->method.pressure == PRESSURE_IMPLICIT &&
+           s->method.interface == INTERFACE_SHARP;
+}
+
 const char *scene_transfer(const scene *s)
 {
     if (s->method.transfer[0]) return s->method.transfer;
-    return isnan(s->method.flip) && points_are_solids(s) && !looks_for_rest(s) ? "afmpm" : "flip";
+    if (!isnan(s->method.flip) || bends_walls_implicitly(s)) return "flip";
+    return points_are_solids(s) && !looks_for_rest(s) ? "afmpm" : "flip";
 }
 
 double scene_body_pressure(const scene *s, const scene_body *b)

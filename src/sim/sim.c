@@ -77,6 +77,7 @@ static floe_status make_solvers(sim *s, const bool points, const bool cells)
     if (cells) TRY(ice_create(&s->ice, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, points && !is_cut));
     if (points && cells) TRY(is_cut ? embedded_create(&s->embedded, s) : transfer_create(&s->transfer, s));
     TRY(sim_choose_solver(s));
+    TRY(sim_stiffen_walls(s));
     TRY(make_plan(s));
     TRY(domain_create(&s->domain, s->ctx, &s->mesh));
     s->stages.domain = s->domain;
@@ -88,6 +89,7 @@ static floe_status make_solvers(sim *s, const bool points, const bool cells)
 static floe_status set_initial_state(sim *s)
 {
     if (s->mpm) TRY(mpm_seed(s->mpm));
+    TRY(sim_settle_walls(s));
     if (s->transfer)
         TRY(coupled_initialise(s));
     else if (s->embedded)

@@ -28,6 +28,8 @@ typedef struct sim {
     char solver_reason[160];
     /* Largest number of substeps of the points beside cells, and why where time.substeps is auto; "" without. */
     char substeps_reason[200];
+    const char *
+        stiffness_obstacle; /* why an implicit pressure does not find the solids' stiffness in its system; NULL: it does, or is none */
     int most_substeps;     /* largest number of substeps of the points in a step of the cells */
     int n_substeps;        /* substeps of the next step */
     double time;           /* s */
@@ -107,11 +109,15 @@ static inline bool sim_is_static(const sim *s)
 /* Whether steps are implicit, with inertia or without. */
 static inline bool sim_solves(const sim *s)
 {
-    return s->mpm && s->mpm->implicit;
+    return s->mpm && mpm_is_solved(s->mpm);
 }
 
 /* With method.pressure auto: chooses explicit or implicit, at the start and every so many steps; otherwise does nothing. */
 floe_status sim_choose_pressure(sim *s);
+/* Has the solids answer an implicit pressure with their stiffness, where that is possible; before the plan is made. Errors: FLOE_NO_MEMORY. */
+floe_status sim_stiffen_walls(sim *s);
+/* The same once the points are seeded: not where there are too many of them. */
+floe_status sim_settle_walls(sim *s);
 /* Chooses the largest number of substeps of the points (time.substeps). Errors: FLOE_BAD_INPUT where the deck's choice
  * is not possible. */
 floe_status sim_choose_substeps(sim *s);

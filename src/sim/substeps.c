@@ -20,6 +20,7 @@ static const char *substep_obstacle(const sim *s)
         return "the interface is smeared, where exchange takes each step of the points (method.interface: sharp)";
     if (s->scene->method.interface != INTERFACE_SHARP)
         return "a membrane around gas is as light as the gas that it moves";
+    if (walls_are_stiff(s->mpm)) return "an implicit pressure has the solids' stiffness in its system";
     if (s->ice->implicit) return "an implicit pressure answers the points' own step";
     if (s->mpm->contact) return "solids in contact are not known to keep together in sub-steps";
     if (has_dense_fluid(s, densest_gas)) return "the gas is too dense for the solid, whose vibrations it would feed";
@@ -52,6 +53,19 @@ void sim_take_substeps(sim *s, double cells, step_limit *points)
     if (marked < points->dt) *points = (step_limit){marked, "way of the surfaces"};
 }
 
+floe_status sim_stiffen_walls(sim *s)
+{
+    if (!s->embedded || !s->ice->implicit || sim_solves(s)) return FLOE_OK;
+    s->stiffness_obstacle = mpm_stiff_obstacle(s->mpm);
+    return s->stiffness_obstacle ? FLOE_OK : mpm_stiffen_walls(s->mpm);
+}
+
+floe_status sim_settle_walls(sim *s)
+{
+    if (!s->mpm || !walls_are_stiff(s->mpm)) return FLOE_OK;
+    return mpm_settle_walls(s->mpm, &s->stiffness_obstacle);
+}
+
 static floe_status choose_substeps(sim *s)
 {
     step_limit points, cells;
@@ -65,6 +79,12 @@ static floe_status choose_substeps(sim *s)
     return FLOE_OK;
 }
 
+/* Whether solids that deform beside an implicit pressure have the step of their own sound. */
+static bool bound_by_sound(const sim *s)
+{
+    return s->stiffness_obstacle && s->mpm->n_deforming > 0;
+}
+
 floe_status sim_choose_substeps(sim *s)
 {
     const long asked = s->scene->time.substeps;
@@ -75,7 +95,9 @@ floe_status sim_choose_substeps(sim *s)
         return fail_key(s->ctx, KEY("time", "substeps"), "%ld: %s; leave it out, or use auto", asked, why_not);
     s->most_substeps = asked == 0 ? 1 : (int)asked;
     if (asked == 0)
-        (void)snprintf(s->substeps_reason, sizeof s->substeps_reason, "1: %s", why_not);
+        (void)snprintf(s->substeps_reason, sizeof s->substeps_reason, "1: %s%s%s", why_not,
+                       bound_by_sound(s) ? ", which sound bounds: " : "",
+                       bound_by_sound(s) ? s->stiffness_obstacle : "");
     else
         (void)snprintf(s->substeps_reason, sizeof s->substeps_reason, "%ld", asked);
     return FLOE_OK;

@@ -188,7 +188,8 @@ FIXTURE void check_deck(const char *deck, bool every, subject_check *check, void
 /* Decks that take longer than all others together: nightly. */
 FIXTURE bool deck_is_long(const char *deck)
 {
-    static const char *const takes_long[] = {"foam_wall", "gas_expansion", "stiff_cylinder", "turek_hron_cfd"};
+    static const char *const takes_long[] = {"foam_wall", "gas_expansion", "stiff_cylinder", "turek_hron_cfd",
+                                             "turek_hron_fsi"};
     for (size_t k = 0; k < sizeof takes_long / sizeof *takes_long; ++k)
         if (strcmp(deck, takes_long[k]) == 0) return true;
     return false;

@@ -269,7 +269,8 @@ static void test_elastic(void **unused)
         const double first = m.moment[0][0] / m.mass[0];
         trial_run(&t, end);
         check_ok(t.ctx, mpm_sum(t.sim->mpm, &m));
-        const double off = (m.moment[0][0] / m.mass[0] - first) / right - 1.0;
+        const double ahead = 0.5e-3 * m.momentum[0][0] / m.mass[0]; /* a kick is before the way (theory 7.8) */
+        const double off = (m.moment[0][0] / m.mass[0] - first - ahead) / right - 1.0;
         print_message("elastic, ratio %g: way off by %.2g, %ld steps, %.3g iterations\n", ratio[k], off, t.sim->steps,
                       iterations_of(&t));
         check_close(off, 0.0, tolerance[k]);

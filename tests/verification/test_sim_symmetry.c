@@ -49,6 +49,8 @@ static const struct {
     {"", "natural_convection", 5e-3, true,
      "gas under gravity keeps the pressure of its highest cell, a sliver or not; walls keep their temperatures to "
      "1e-7"},
+    {"", "turek_hron_fsi", 1e-2, true,
+     "a sliver joins the larger neighbour, of two alike either; points on its edge are the body's or not"},
     {"swap", "extreme/soft_vessel", 1e-5, true, sliver_ties},
     {"move", "extreme/soft_vessel", 1e-5, true, sliver_ties},
     {"mirror", "extreme/soft_vessel", 2e-5, false, chain_thinned},

@@ -250,9 +250,9 @@ static const key_spec method_keys[] = {
     {"stress", KEY_CHOICE, AT(scene_method, stress), .fallback = "usl", .choices = stress_choices,
      .doc = "when stresses of points are updated in a step"},
     {"transfer", KEY_SPECIAL, AT(scene_method, transfer), .special = &special_transfer,
-     .otherwise =
-         "`afmpm` where points are solids alone, in dynamic steps, unless elastic ones are damped to rest; else "
-         "and where `flip` is given `flip`",
+     .otherwise = "`afmpm` where points are solids alone, in dynamic steps, unless elastic ones are damped to rest, or "
+                  "answer an implicit pressure; else "
+                  "and where `flip` is given `flip`",
      .doc = "what becomes of the velocities of points in a step"},
     {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip),
      .otherwise = "0.99; with fluids on points more where they are slow: 1 less 0.6 for each cell that the fastest "

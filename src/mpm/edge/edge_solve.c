@@ -273,6 +273,20 @@ static void accelerate_nodes(mpm *s, int group, int c, double *scratch)
     enter_work(s, &y);
 }
 
+/* Accelerations with the stiffness of all lines, as they are (implicit/implicit_walls.h); what lines push with does work at the mean velocity. */
+static void keep_accelerations(mpm *s, int group, int c, double *scratch)
+{
+    edge_group *g = &s->edges->group[group];
+    edge_system y = load_system(s, group, c, scratch);
+    double work = 0.0, unused[3] = {0.0};
+    (void)edges_push(s, g, c, y.r, unused);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        g->accelerated[(size_t)c * (size_t)g->n_nodes + (size_t)n] = y.raw[n];
+        work += y.kick * y.r[n] * (y.before[n] + 0.5 * y.kick * y.raw[n]);
+    }
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, work);
+}
+
 /* The fastest of a block's own nodes with mass along c (m/s). */
 static double fastest_of(const mpm *s, int blk, int group, int c)
 {
@@ -311,7 +325,8 @@ floe_status edges_accelerate(mpm *s, int group)
     TRY(edges_scratch(s, g, V_COUNT, &scratch));
     TRY(cg_resize(e->solver, &nodes, 1));
     edges_mark_flow(s, g);
-    for (int c = 0; c < s->mesh->dim && g->n_nodes > 0; ++c) accelerate_nodes(s, group, c, scratch);
+    for (int c = 0; c < s->mesh->dim && g->n_nodes > 0; ++c)
+        (walls_are_stiff(s) ? keep_accelerations : accelerate_nodes)(s, group, c, scratch);
     g->travelled = (g->looked ? 0.0 : e->memory[e->travel + (size_t)group]) + way_of_nodes(s, group);
     return FLOE_OK;
 }

@@ -63,6 +63,7 @@ struct mpm_implicit {
     struct curve_rest *curve;         /* owned; NULL: solids on the mesh */
     struct implicit_contact *contact; /* owned; NULL: no bodies in contact */
     struct implicit_volume *volume;   /* owned; NULL: no body is all but incompressible */
+    struct implicit_walls *walls;     /* owned; NULL: steps are solved for (implicit_walls.h) */
     multigrid *solver;                /* owned */
     cg *krylov;                       /* owned */
     int layers,
@@ -136,6 +137,8 @@ floe_status implicit_find_edges(mpm *s);
 void implicit_edge_force(mpm *s, const double *u, double *internal);
 /* Their stiffness, added to the matrix. */
 void implicit_assemble_edges(mpm *s, node_matrix *m);
+/* The stiffness of those that do not yield, whatever they do. */
+void implicit_stiffen_edges(mpm *s, node_matrix *m);
 /* Enters the energy that they store in the increment into the ledger. */
 void implicit_enter_edges(mpm *s);
 
@@ -174,6 +177,10 @@ void motion_stiffen(const mpm *s, node_matrix *m);
 double motion_velocity(const mpm *s, size_t k);
 /* Enters impulses and work of loads, damping and constraints into the ledger. */
 void motion_enter(mpm *s);
+
+/* Walls of fluids with an implicit pressure (implicit_walls.c). Errors: FLOE_NO_MEMORY. */
+floe_status stiff_create(mpm *s);
+void stiff_free(mpm *s);
 
 /* Enclosed gases (implicit_enclosed_gas.c): one for each fluid body that solids enclose, found once. Errors:
  * FLOE_NO_MEMORY. */

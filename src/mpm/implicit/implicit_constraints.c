@@ -1,6 +1,7 @@
 /* Maps between the nodes of the blocks and those of the solver: constraints, supports of the points, and surface
  * loads. */
 #include "mpm/implicit/implicit.h"
+#include "mpm/motion/motion_ties.h"
 #include "mpm/nodes/constraints.h"
 #include "mpm/nodes/sides.h"
 
@@ -23,13 +24,14 @@ void implicit_constrain(mpm *s)
     memset(w->constrained, 0, w->components * sizeof *w->constrained);
     memset(w->prescribed, 0, w->components * sizeof *w->prescribed);
     visit_constraints(s, 0, constrain_component, s);
+    motions_visit_ties(s, constrain_component, s);
 }
 
 static void reach_tile(mpm *s, int blk, int tile, void *user)
 {
     bool *reached = user;
     for (int body = 0; body < s->n_bodies; ++body) {
-        if (s->body[body].fluid) continue;
+        if (s->body[body].fluid || body >= s->n_deforming) continue;
         const size_t *range = s->points[blk][body].tile_start + tile;
         for (size_t k = range[0]; k < range[1]; ++k) {
             weighted_node node[IMPLICIT_NODES];

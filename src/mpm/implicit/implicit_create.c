@@ -7,8 +7,12 @@
 #include "mpm/implicit/implicit_contact.h"
 #include "mpm/implicit/implicit_view.h"
 #include "mpm/implicit/implicit_volume.h"
+#include "mpm/implicit/implicit_walls.h"
+#include "mpm/state/stress.h"
 #include "mpm/surface/traction.h"
 #include "mpm/thermal/thermal.h"
+
+#include <math.h>
 
 static const char *obstacle_to_motion(const mpm *s)
 {
@@ -111,6 +115,85 @@ floe_status mpm_solve_steps(mpm *s, time_solver solver)
     return s->curve ? curve_rest_create(s) : make_solver(s);
 }
 
+static const char *obstacle_of_bodies(const mpm *s)
+{
+    for (int b = 0; b < s->n_deforming; ++b) {
+        if (s->body[b].fluid) return "a fluid is on points";
+        if (s->body[b].mean_strain) return "a solid that hardly changes its volume shares its changes over cells";
+        if (has_artificial(&s->body[b])) return "artificial viscosity is explicit";
+    }
+    return NULL;
+}
+
+const char *mpm_stiff_obstacle(const mpm *s)
+{
+    if (s->n_deforming == 0) return "no solid deforms";
+    if (s->contact) return "bodies are in contact";
+    if (s->curve) return "membranes have no stiffness across";
+    if (s->scene->n_springs > 0) return "springs are explicit";
+    if (s->scene->method.stress != STRESS_USL) return "stress does not follow the motion (method.stress)";
+    return obstacle_of_bodies(s);
+}
+
+floe_status mpm_stiffen_walls(mpm *s)
+{
+    TRY(memory_new(s->ctx, &s->implicit, 1, sizeof *s->implicit));
+    struct mpm_implicit *w = s->implicit;
+    s->solver = SOLVER_DYNAMIC;
+    w->grid = node_grid(s->mesh);
+    w->layers = 1;
+    w->components = (size_t)s->mesh->dim * w->grid.size;
+    choose_gradients(s, w);
+    TRY(find_tiles(s));
+    double **array[] = {&w->mass, &w->velocity, &w->prescribed};
+    for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
+        TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
+    TRY(memory_new(s->ctx, &w->constrained, w->components, sizeof *w->constrained));
+    TRY(memory_new(s->ctx, &w->row, w->grid.size, sizeof *w->row));
+    TRY(memory_new(s->ctx, &w->reached, w->components, sizeof *w->reached));
+    return stiff_create(s);
+}
+
+/* Whether a point is within two cells of a side where springs hold bodies up. */
+static bool stands_at_slip(const mpm *s, const double x[MESH_MAX_DIM])
+{
+    static const double near = 2.0;
+    for (int a = 0; a < s->mesh->dim; ++a)
+        for (int side = 0; side < 2 && !s->mesh->periodic[a]; ++side) {
+            const double at = side == SIDE_LOWER ? s->mesh->lower[a] : s->mesh->upper[a];
+            if (s->scene->bc.side[a][side].kind == BC_SLIP && fabs(x[a] - at) < near * s->mesh->h[a]) return true;
+        }
+    return false;
+}
+
+static bool any_stands_at_slip(const mpm *s)
+{
+    for (int blk = 0; blk < s->mesh->n_blocks; ++blk)
+        for (int body = 0; body < s->n_deforming; ++body)
+            for (size_t k = 0; k < s->points[blk][body].n; ++k) {
+                double x[MESH_MAX_DIM] = {0.0};
+                for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(s->domain->fields[blk], P_POS, body, a)[k];
+                if (stands_at_slip(s, x)) return true;
+            }
+    return false;
+}
+
+floe_status mpm_settle_walls(mpm *s, const char **why)
+{
+    double work = 0.0;
+    *why = NULL;
+    if (!walls_are_stiff(s)) return FLOE_OK;
+    TRY(stiff_work(s, &work));
+    if (any_stands_at_slip(s))
+        *why = "a solid stands at a slip side";
+    else if (stiff_meets_free_body(s))
+        *why = "a solid is tied to a rigid body that is free";
+    else if (work > MPM_WALL_WORK)
+        *why = "of so many nodes the stiffness cannot be solved with";
+    if (*why) implicit_destroy(s);
+    return FLOE_OK;
+}
+
 int implicit_gases(const mpm *s)
 {
     return s->implicit ? s->implicit->n_gases : 0;
@@ -130,6 +213,7 @@ void implicit_destroy(mpm *s)
     enclosed_gases_free(s);
     implicit_contact_free(s);
     implicit_volume_free(s);
+    stiff_free(s);
     multigrid_destroy(&w->solver);
     memory_free(s->ctx, &w->external_first);
     memory_free(s->ctx, &w->unbalanced);

@@ -106,6 +106,15 @@ void implicit_assemble_edges(mpm *s, node_matrix *m)
     for (int g = 0; g < count_groups(s); ++g) assemble_group(s, g, m);
 }
 
+void implicit_stiffen_edges(mpm *s, node_matrix *m)
+{
+    for (int g = 0; g < count_groups(s); ++g) {
+        edge_group *of = &s->edges->group[g];
+        for (size_t k = 0; k < of->n_lines; ++k) of->line[k].kept = 1.0;
+        assemble_group(s, g, m);
+    }
+}
+
 static double gain_of_group(const mpm *s, const edge_group *g)
 {
     double energy = 0.0;

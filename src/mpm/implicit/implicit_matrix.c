@@ -79,7 +79,7 @@ static void assemble_tile(mpm *s, int blk, int tile, void *user)
     const assembly *of = user;
     const size_t square = (size_t)w->n_gradient * (size_t)w->n_gradient;
     for (int body = 0; body < s->n_bodies; ++body) {
-        if (s->body[body].fluid) continue;
+        if (s->body[body].fluid || body >= s->n_deforming) continue;
         const size_t *range = s->points[blk][body].tile_start + tile;
         for (size_t k = range[0]; k < range[1]; ++k) {
             const size_t number = w->first[blk][body] + k;

@@ -14,7 +14,7 @@ void motion_begin(mpm *s)
     struct mpm_implicit *w = s->implicit;
     memset(w->velocity, 0, w->components * sizeof *w->velocity);
     memset(w->mass, 0, w->components * sizeof *w->mass);
-    for (int g = 0; g < s->n_groups; ++g) {
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         implicit_collect(s, N_MOMENTUM, g, w->velocity);
         implicit_collect(s, N_MASS, g, w->mass);
     }

@@ -24,7 +24,7 @@ static double load_at_end(const mpm *s, const scene_load *load)
 
 double load_now(const mpm *s, const scene_load *load)
 {
-    if (s->implicit) return load_at_end(s, load);
+    if (mpm_is_solved(s)) return load_at_end(s, load);
     if (load->ramp <= 0.0 && load->ramp_steps == 0)
         return s->time >= load->start ? 1.0 : 0.0; /* from the first kick on */
     return load_fraction(load, &(load_step){s->time, s->time, s->step - 1});
@@ -33,7 +33,7 @@ double load_now(const mpm *s, const scene_load *load)
 /* When the forces of a step are taken: points that move alone have their velocities half a step before it. */
 double load_time(const mpm *s)
 {
-    if (s->implicit) return implicit_time(s);
+    if (mpm_is_solved(s)) return implicit_time(s);
     return s->cells == CELLS_NONE ? s->time : s->time + 0.5 * s->dt;
 }
 
@@ -81,7 +81,7 @@ static void drive_body(const mpm *s, int blk, int body, double t)
 
 floe_status mpm_drive_points(mpm *s)
 {
-    const double t = s->implicit ? implicit_time(s) : s->time;
+    const double t = mpm_is_solved(s) ? implicit_time(s) : s->time;
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int body = 0; body < s->n_bodies; ++body)
             if (is_driven(s, body)) drive_body(s, b, body, t);

@@ -155,7 +155,7 @@ static void turn_body(mpm *s, int body, bool next, bool stress)
 {
     const bool places = s->curve[body].rest != NULL;
     if (places || !normals_are_free(s, body)) membrane_curve_update(s, body, next);
-    if (places && next && !s->implicit) membrane_curve_settle(s, body);
+    if (places && next && !mpm_is_solved(s)) membrane_curve_settle(s, body);
     if (places) membrane_curve_strain(s, body, next);
     for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
         const size_t n = s->points[blk][body].n, chunks = (n + SOLID_CHUNK - 1) / SOLID_CHUNK;

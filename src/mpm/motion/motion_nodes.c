@@ -5,6 +5,7 @@
 #include "grid/tile_box.h"
 #include "mpm/fluid/wetted.h"
 #include "mpm/motion/motion_parts.h"
+#include "mpm/motion/motion_ties.h"
 #include "mpm/nodes/node.h"
 #include "mpm/transfer/scratch.h"
 
@@ -88,6 +89,27 @@ static void tie_node(mpm *s, int blk, ptrdiff_t at, const double x[3], void *use
             body[at] += other / mass * (own[at] - v[a]);
             own[at] = v[a];
         }
+    }
+}
+
+void motions_visit_ties(const mpm *s, tie_visitor *visit, void *user)
+{
+    const mesh *m = s->mesh;
+    for (int blk = 0; s->motions && blk < m->n_blocks; ++blk) {
+        const block *b = &m->block[blk];
+        int end[MESH_MAX_DIM] = {1, 1, 1};
+        for (int a = 0; a < m->dim; ++a) end[a] = b->n[a] + (b->at_side[a][SIDE_UPPER] && !m->periodic[a] ? 1 : 0);
+        for (int k = 0; k < end[2]; ++k)
+            for (int j = 0; j < end[1]; ++j)
+                for (int i = 0; i < end[0]; ++i) {
+                    const int node[MESH_MAX_DIM] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k};
+                    const int leader = leader_at(s, s->domain->fields[blk], mesh_index(b, i, j, k));
+                    double x[3], v[3];
+                    if (leader < 0) continue;
+                    place_of_node(m, node, x);
+                    rigid_at(s, motion_of_group(s, leader), &(imposed){N_VEL_L, false, false}, x, v);
+                    for (int c = 0; c < m->dim; ++c) visit(user, node, c, v[c]);
+                }
     }
 }
 

@@ -4,6 +4,7 @@
 #include "grid/tile_box.h"
 #include "mpm/contact/contact.h"
 #include "mpm/edge/edge.h"
+#include "mpm/implicit/implicit_walls.h"
 #include "mpm/motion/motion.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/sides.h"
@@ -219,6 +220,7 @@ floe_status mpm_node_acceleration(mpm *s)
         impose_walls(s, g, N_VEL_L, 1.0); /* again: the exchange with the cells may have moved them */
         for (int b = 0; b < s->mesh->n_blocks; ++b) accelerate_block(s, b, g);
         still_walls(s, g);
+        if (walls_are_stiff(s)) stiff_lightest(s, g);
         if (s->edges) TRY(edges_accelerate(s, g));
         if (s->edges && s->scene->method.stress == STRESS_USL && !s->transfer->restore)
             TRY(edges_strain(s, g, N_VEL_L));

@@ -28,7 +28,7 @@ static bool is_loose(const mpm *s, int group)
 
 bool wall_lets_go(const mpm *s, int group, int axis, int side)
 {
-    return s->scene->bc.side[axis][side].kind == BC_SLIP && !s->mesh->periodic[axis] && !s->implicit &&
+    return s->scene->bc.side[axis][side].kind == BC_SLIP && !s->mesh->periodic[axis] && !mpm_is_solved(s) &&
            is_loose(s, group);
 }
 

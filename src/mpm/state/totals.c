@@ -158,7 +158,7 @@ static crossing_rates chunk_rates(const mpm *s, int blk, int body, size_t start,
         rate[k] = rate[k] * (1.0 + 2.0 * b->artificial[0]) + 2.0 * sqrt(batch->q[k] * batch->J[k] / batch->rho0[k]);
     for (int a = 0; a < s->mesh->dim; ++a) inverse_square += 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
     const double diagonal = sqrt(inverse_square);
-    for (size_t k = 0; k < n; ++k) rate[k] *= diagonal;
+    for (size_t k = 0; k < n; ++k) rate[k] *= walls_are_stiff(s) ? 0.0 : diagonal;
     add_viscous_rate(b, batch, inverse_square, rate);
     for (int a = 0; a < s->mesh->dim; ++a) {
         const double *restrict v = field_get(s->domain->fields[blk], P_VEL, body, a) + start;

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "math/tensor.h"
+#include "mpm/implicit/implicit_walls.h"
 #include "mpm/nodes/constraints.h"
 #include "mpm/nodes/node.h"
 #include "mpm/nodes/sides.h"
@@ -85,13 +86,17 @@ static void describe_node(const mpm *s, inertia_node *n)
     const ptrdiff_t at = mesh_index(b, n->node[0] - b->lo[0], n->node[1] - b->lo[1], n->node[2] - b->lo[2]);
     const double mass = field_get(f, N_MASS, n->group, 0)[at], undamped = damping_left(s);
     const unsigned fixed = node_constraints(s, n->group, n->node);
+    const bool stiff = walls_are_stiff(s);
+    double change[3], give[3];
+    if (stiff) stiff_node(s, n->node, change, give);
     for (int c = 0; c < s->mesh->dim; ++c) {
         const bool bears = mass > small_node(s);
         const double momentum = field_get(f, N_MOMENTUM, n->group, c)[at],
                      force = field_get(f, N_FORCE, n->group, c)[at];
         n->before[c] = mass > 0.0 ? momentum / mass : 0.0;
         n->give[c] = bears ? s->kick / mass : 0.0;
-        n->to[c] = undamped * n->before[c] + n->give[c] * force;
+        n->to[c] = undamped * n->before[c] + (stiff ? change[c] : n->give[c] * force);
+        n->give[c] = stiff ? give[c] : n->give[c];
         if (!is_constrained(fixed, c)) continue;
         n->give[c] = 0.0;
         n->before[c] = n->to[c] = prescribed_velocity(s, n->group, n->node, c);
@@ -289,7 +294,8 @@ static void spread_force(const mpm *s, const inertia_marker *m)
             t->node[t->share[i].node].force[a] += t->share[i].factor[a] * m->force[a];
 }
 
-static void find_velocity(const mpm *s, inertia_marker *m)
+/* `stiff`: by the answer of all nodes. */
+static void find_velocity(const mpm *s, bool stiff, inertia_marker *m)
 {
     const marker_inertia *t = s->surfaces->inertia;
     memset(m->velocity, 0, sizeof m->velocity);
@@ -301,7 +307,9 @@ static void find_velocity(const mpm *s, inertia_marker *m)
     }
     for (int i = m->first; i < m->first + m->n; ++i) {
         const inertia_node *n = &t->node[t->share[i].node];
-        for (int a = 0; a < s->mesh->dim; ++a) m->velocity[a] += t->share[i].factor[a] * n->give[a] * n->force[a];
+        for (int a = 0; a < s->mesh->dim; ++a)
+            m->velocity[a] +=
+                stiff ? t->share[i].factor[a] * n->change[a] : t->share[i].factor[a] * n->give[a] * n->force[a];
     }
 }
 
@@ -314,6 +322,16 @@ static void find_changes(const mpm *s)
     }
 }
 
+/* Nodes that hang together by their stiffness. */
+static void find_answers(const mpm *s)
+{
+    const marker_inertia *t = s->surfaces->inertia;
+    stiff_begin(s);
+    for (int n = 0; n < t->n_nodes; ++n) stiff_push(s, t->node[n].node, t->node[n].force);
+    stiff_solve(s);
+    for (int n = 0; n < t->n_nodes; ++n) stiff_answer(s, t->node[n].node, t->node[n].change);
+}
+
 void inertia_flux_of(const mpm *s, const wall_response *w, const double *pressure, double *flux)
 {
     const marker_inertia *t = s->surfaces->inertia;
@@ -321,7 +339,8 @@ void inertia_flux_of(const mpm *s, const wall_response *w, const double *pressur
     for (int n = 0; n < t->n_nodes; ++n) memset(t->node[n].force, 0, sizeof t->node[n].force);
     for (int n = 0; n < t->n_markers; ++n) spread_force(s, &t->marker[n]);
     find_changes(s);
-    for (int n = 0; n < t->n_markers; ++n) find_velocity(s, &t->marker[n]);
+    if (walls_are_stiff(s)) find_answers(s);
+    for (int n = 0; n < t->n_markers; ++n) find_velocity(s, walls_are_stiff(s), &t->marker[n]);
     for (int c = 0; c < w->n_cells; ++c) flux[c] = along_pushes(s, w, c);
 }
 
@@ -336,7 +355,7 @@ double inertia_own_flux(const mpm *s, const wall_response *w, int cell)
     }
     find_changes(s);
     for (int k = w->cell[cell].first; k >= 0; k = w->push[k].next)
-        find_velocity(s, &t->marker[t->of_vertex[w->push[k].vertex]]);
+        find_velocity(s, false, &t->marker[t->of_vertex[w->push[k].vertex]]);
     const double flux = along_pushes(s, w, cell);
     for (int k = w->cell[cell].first; k >= 0; k = w->push[k].next) {
         const inertia_marker *m = &t->marker[t->of_vertex[w->push[k].vertex]];

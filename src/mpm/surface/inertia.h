@@ -13,6 +13,7 @@ typedef struct inertia_node {
     double give[3]; /* m/s per N: change of velocity in the step; 0: a wall holds it, or it is too light for forces */
     double before[3], to[3]; /* m/s: velocity, and that at the end of the step by the forces so far */
     double force[3];         /* N: scratch; 0 between uses */
+    double change[3];        /* m/s: scratch, where nodes hang together by their stiffness */
 } inertia_node;
 
 /* Of a node in a marker's velocity. */

@@ -372,6 +372,7 @@ typedef struct motion_sum {
     const double *v[3], *acceleration[3];
     surface_motion out;
     double kick, undamped; /* of damping: share that it leaves */
+    bool follows;          /* light nodes, too: their neighbours hold them (implicit/implicit_walls.h) */
     int dim;
 } motion_sum;
 
@@ -380,7 +381,7 @@ typedef struct motion_sum {
 static void add_motion(void *user, ptrdiff_t at, double weight, double mass)
 {
     motion_sum *m = user;
-    const double without = mass < steady_mass ? (1.0 - mass / steady_mass) * m->kick : 0.0;
+    const double without = !m->follows && mass < steady_mass ? (1.0 - mass / steady_mass) * m->kick : 0.0;
     for (int a = 0; a < m->dim; ++a) {
         const double v = m->v[a][at], change = m->acceleration[a][at];
         m->out.velocity[a] += weight * (v - without * change);
@@ -396,7 +397,7 @@ surface_shares surface_shares_at(const mpm *s, int group, const double x[3])
     for (int i = 0; i < st.n; ++i) {
         memcpy(out.node[i], st.node[i], sizeof out.node[i]);
         out.w[i] = st.w[i];
-        out.moved[i] = fmin(st.mass[i] / steady_mass, 1.0);
+        out.moved[i] = walls_are_stiff(s) ? 1.0 : fmin(st.mass[i] / steady_mass, 1.0);
     }
     return out;
 }
@@ -420,7 +421,7 @@ surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
     const body_motion *motion = motion_of_group(s, group);
     if (motion) return rigid_surface_motion(s, motion, x);
     const int b = place_block(s, x);
-    motion_sum m = {.dim = s->mesh->dim, .kick = s->kick, .undamped = damping_left(s)};
+    motion_sum m = {.dim = s->mesh->dim, .kick = s->kick, .undamped = damping_left(s), .follows = walls_are_stiff(s)};
     for (int a = 0; a < m.dim; ++a) {
         m.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
         m.acceleration[a] = field_get(s->domain->fields[b], N_ACCEL, group, a);

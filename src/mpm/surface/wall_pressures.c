@@ -7,6 +7,7 @@
  * definite system, by conjugate gradients scaled by the diagonal. The residual p - f(y) costs no conservation: the same p acts on fluid and
  * solid. */
 #include "base/memory.h"
+#include "mpm/implicit/implicit_walls.h"
 #include "mpm/surface/inertia.h"
 #include "mpm/surface/surface_markers.h"
 #include "mpm/surface/surfaces.h"
@@ -203,5 +204,6 @@ floe_status mpm_find_wall_pressures(mpm *s)
     else
         find_pressures(s, w, &v);
     add_forces(s);
+    if (walls_are_stiff(s)) stiff_take(s);
     return FLOE_OK;
 }

@@ -86,7 +86,7 @@ void scatter_loads(mpm *s, int group)
     scatter_surfaces(s, group); /* they look at the masses */
     scatter_springs(s, group);
     scatter_membrane_force(s, group);
-    if (!s->implicit) scatter_markers(s, group, s->surfaces->markers.force);
+    if (!mpm_is_solved(s)) scatter_markers(s, group, s->surfaces->markers.force);
     scatter_enclosed_pressure(s, group);
     fold_forces(s, group);
 }
