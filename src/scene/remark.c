@@ -277,6 +277,7 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_shapes(s, say, user);
     remark_smeared(s, say, user);
     remark_flight_out(s, say, user);
+    remark_free_swing(s, say, user);
     remark_heat(s, say, user);
     remark_columns(s, say, user);
     remark_sources(s, say, user);

@@ -1,5 +1,6 @@
 /* What a smeared interface gets wrong in a scene (theory 7.2; docs/defaults.md has the figures). */
 #include "scene/flight.h"
+#include "scene/formula.h"
 #include "scene/remark_internal.h"
 
 #include <math.h>
@@ -78,6 +79,46 @@ void remark_flight_out(const scene *s, remark_sink *say, void *user)
         "are lost beside the side with their momentum. Take method.interface: smeared, or a larger domain",
         side, s->body[f.body].name, f.time, scene_time_unit(s));
     say(user, text);
+}
+
+static bool is_set(const scene *s, const double v[3])
+{
+    for (int a = 0; a < s->mesh.dim; ++a)
+        if (v[a] != 0.0 || scene_formula_of(s, &v[a])) return true;
+    return false;
+}
+
+static bool side_drives(const scene *s, const bc_side *side)
+{
+    return side->kind == BC_INLET || side->kind == BC_RESERVOIR || side->kind == BC_NON_REFLECTING ||
+           is_set(s, side->velocity);
+}
+
+/* Whether something but the solids that deform sets the fluid in motion, and bounds the step by that. */
+static bool is_driven(const scene *s)
+{
+    bool driven = s->n_mass_sources > 0 || (s->has_ambient && is_set(s, s->ambient_velocity));
+    for (int a = 0; a < s->mesh.dim; ++a)
+        for (int side = 0; side < 2; ++side) driven = driven || side_drives(s, &s->bc.side[a][side]);
+    for (int k = 0; k < s->n_parts; ++k) driven = driven || side_drives(s, &s->part[k].condition);
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const scene_body *body = &s->body[b];
+        driven = driven || body->motion.kind == MOTION_DRIVEN ||
+                 (s->material[body->material].kind == MATERIAL_FLUID && is_set(s, body->velocity));
+    }
+    return driven;
+}
+
+void remark_free_swing(const scene *s, remark_sink *say, void *user)
+{
+    remark_speaker w = {.s = s, .say = say, .user = user};
+    if (!scene_bends_walls(s) || s->time.solver != SOLVER_DYNAMIC || s->contact.enabled || is_driven(s)) return;
+    if (!isnan(s->time.max_step) || !isnan(s->time.fixed_step)) return;
+    remark_set_key(&w, "time", "max_step", "");
+    remark_key(&w,
+               "nothing but solids that deform moves the fluid, and with the implicit pressure no step is bound by "
+               "the period in which they swing: it is 2 %% too long with 20 steps, 0.1 %% with 100, and with 6 there "
+               "is none. Give a fiftieth of the period");
 }
 
 void remark_smeared(const scene *s, remark_sink *say, void *user)

@@ -28,6 +28,9 @@ void remark_smeared(const scene *s, remark_sink *say, void *user);
 /* Of solids that fly out of the domain with a sharp interface. */
 void remark_flight_out(const scene *s, remark_sink *say, void *user);
 
+/* Of solids that swing in a fluid at rest, in steps that no flow bounds. */
+void remark_free_swing(const scene *s, remark_sink *say, void *user);
+
 /* Of fluids on points that start without their weight. */
 void remark_columns(const scene *s, remark_sink *say, void *user);
 

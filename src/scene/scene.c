@@ -85,8 +85,7 @@ static bool looks_for_rest(const scene *s)
     return true;
 }
 
-/* Whether an implicit pressure bends walls, in steps of which each would lose what nodes return of a motion, or take it farther (theory 7.9). */
-static bool bends_walls_implicitly(const scene *s)
+bool scene_bends_walls(const scene *s)
 {
     bool deforms = false;
     for (int b = 0; b < s->n_bodies; ++b)
@@ -99,7 +98,7 @@ static bool bends_walls_implicitly(const scene *s)
 const char *scene_transfer(const scene *s)
 {
     if (s->method.transfer[0]) return s->method.transfer;
-    if (!isnan(s->method.flip) || bends_walls_implicitly(s)) return "flip";
+    if (!isnan(s->method.flip) || scene_bends_walls(s)) return "flip";
     return points_are_solids(s) && !looks_for_rest(s) ? "afmpm" : "flip";
 }
 

@@ -483,6 +483,8 @@ const char *scene_time_unit(const scene *s);
 int scene_enclosing_body(const scene *s);
 /* The name of the transfer of points: the deck's, else what suits the bodies and the coupling best (docs/defaults.md). */
 const char *scene_transfer(const scene *s);
+/* Whether an implicit pressure bends solids, in steps that their sound does not bound (theory 7.9). */
+bool scene_bends_walls(const scene *s);
 /* The largest pressure (Pa, absolute) that the deck gives a fluid on points; 0: there is none. */
 double scene_gas_pressure(const scene *s);
 /* The largest (Pa, absolute) that it gives a body of a fluid. */

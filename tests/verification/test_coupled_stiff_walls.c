@@ -2,6 +2,7 @@
  * liquid, whose frequency w is that of w L/c tan(w L/c) = m/m', m its mass and m' the column's; a plate between liquids that bends like cos(k x), with the added
  * mass of potential flow; the same bits however it is run; what keeps explicit steps, and says so. */
 #include "coupled_fixture.h"
+#include "scene/remark.h"
 
 #define LIQUID "{eos: {stiffened: {gamma: 4.4, p_inf: 5.11e8, specific_heat: 1000}}}"      /* sound of 1500 m/s */
 #define AMBIENT "ambient={material: water, pressure: 1e5, temperature: 150.3235294117647}" /* 1000 kg/m3 */
@@ -265,9 +266,50 @@ static void test_reasons(void **unused)
                  "sound bounds: a solid is tied to a rigid body");
 }
 
+/* ---- what is remarked on ---- */
+
+static void note_swing(void *user, const char *text)
+{
+    if (strstr(text, "the period in which they swing")) ++*(int *)user;
+}
+
+static int remarks_of(const char *change)
+{
+    const char *set[] = {"domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [1.6, 0.8], cell: 0.05}",
+                         "boundaries={x: symmetry, y: symmetry}",
+                         "materials.water=" LIQUID,
+                         "materials.air=null",
+                         "materials.plate={density: 100, specific_heat: 1, law: {linear_elastic: {bulk_modulus: 1e6, "
+                         "shear_modulus: 5e5}}}",
+                         AMBIENT,
+                         "bodies.behind=null",
+                         "bodies.plate={material: plate, shape: {ball: {centre: [0.41, 0.42], radius: 0.19}}}",
+                         METHOD,
+                         change};
+    trial t;
+    int found = 0;
+    deck_begin(&t, "shock_plate", set, sizeof set / sizeof *set);
+    scene_remarks(t.scene, note_swing, &found);
+    trial_end(&t);
+    return found;
+}
+
+/* Nothing but the solid moves the fluid: no flow bounds the step. */
+static void test_remark(void **unused)
+{
+    (void)unused;
+    assert_int_equal(remarks_of("time.end=1"), 1);
+    assert_int_equal(remarks_of("time.max_step=1e-3"), 0);
+    assert_int_equal(remarks_of("method.pressure=explicit"), 0);
+    assert_int_equal(remarks_of("bodies.plate.motion=fixed"), 0);
+    assert_int_equal(remarks_of("ambient.velocity=[0.1, 0]"), 0);
+    assert_int_equal(remarks_of("boundaries.x={lower: {velocity: {velocity: [0.1, 0]}}, upper: symmetry}"), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_bar), cmocka_unit_test(test_plate),
-                                       cmocka_unit_test(test_bits), cmocka_unit_test(test_reasons)};
+                                       cmocka_unit_test(test_bits), cmocka_unit_test(test_reasons),
+                                       cmocka_unit_test(test_remark)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
