@@ -178,6 +178,9 @@
 /* The same of conduction where heat passes the boundaries: the half cell, with one neighbour a cell away and the wall, whose temperature follows it, at a quarter,
  * takes nine tenths of the difference at most. At 0.5 gas and a solid of its own heat capacity per volume are unstable. */
 #define ICE_WALL_CONDUCTION 0.2
+/* The velocities of the members of merged cells differ by no more than this share of the thermal energy allows (theory 7.7): larger could leave less
+ * than the floor where a shock passes, smaller would flatten the flow beside walls at high Mach numbers. */
+#define ICE_SPREAD_ENERGY 0.1
 /* Sampled volume fractions in the open volume of a cell are used if they differ by more than this from those in the
  * whole cell. A smaller value would mistake the error of the samples for a difference. */
 #define ICE_SAMPLED_DIFFERENCE 0.1

@@ -331,7 +331,8 @@ static void stream_begin(trial *t, const char *body, const char *cfl)
 }
 
 /* The fluid that comes to rest before a block with its faces on the mesh's keeps its head, p + rho u^2/2 (Bernoulli), but for friction, 1e-3 of rho u^2/2 at
- * this Reynolds number of 100. With velocities of covered cells that do not stick to the wall (theory 7.8) it gained 0.068 of it. Measured: 0.0098. */
+ * this Reynolds number of 100. With velocities of covered cells that do not stick to the wall (theory 7.8) it gained 0.068 of it, with one velocity for all
+ * members of a merged cell 0.0098. Measured: -0.0024. */
 static void test_head(void **unused)
 {
     (void)unused;
@@ -346,7 +347,7 @@ static void test_head(void **unused)
         for (int a = 0; a < 2; ++a) head[k] += 500.0 * pow(field_get(f, C_VEL, 0, a)[at], 2.0);
     }
     print_message("head: %.3g of rho u^2/2 gained\n", (head[1] - head[0]) / 500.0);
-    check_close((head[1] - head[0]) / 500.0, 0.0, 0.019);
+    check_close((head[1] - head[0]) / 500.0, 0.0, 0.0048);
     trial_end(&t);
 }
 
@@ -361,7 +362,7 @@ static double drag_with(const char *cfl)
     return force[0];
 }
 
-/* A stream that has settled about a cylinder does not depend on the step. Measured: drags apart by 0.0145; without advection in the velocities of the faces of
+/* A stream that has settled about a cylinder does not depend on the step. Measured: drags apart by 0.021; without advection in the velocities of the faces of
  * cut cells (theory 7.8) 0.038. */
 static void test_steps(void **unused)
 {
@@ -369,6 +370,29 @@ static void test_steps(void **unused)
     const double coarse = drag_with("time.cfl=0.9"), fine = drag_with("time.cfl=0.25");
     print_message("drag in large and in small steps: %.5g and %.5g N\n", coarse, fine);
     check_close(coarse / fine, 1.0, 0.025);
+}
+
+/* A cylinder in a channel at a Reynolds number of 20 (Schaefer and Turek 1996, 2D-1: 5.5795): mean of two units of time, in which sound of the start swings the
+ * force by 2 %. Measured: 0.0043 too large; with one velocity for all members of a merged cell 0.021. */
+static void test_drag(void **unused)
+{
+    (void)unused;
+    const char *set[] = {"method={pressure: implicit}", "time={end: 6, cfl: 0.9}"};
+    double sum = 0.0, force[3], moment[3];
+    trial t;
+    deck_begin(&t, "cylinder_channel", set, 2);
+    start(&t);
+    trial_run(&t, 4.0);
+    while (t.sim->time < 6.0) {
+        const double before = t.sim->time;
+        check_ok(t.ctx, sim_step(t.sim, 6.0));
+        check_true(mpm_motion_force(t.sim->mpm, 0, force, moment));
+        sum += 2.0 * force[0] * (t.sim->time - before);
+    }
+    print_message("drag on a cylinder: %.4g off\n", 0.5 * sum / 5.5795 - 1.0);
+    check_close(0.5 * sum / 5.5795, 1.0, 0.0086);
+    check_conserved(&t);
+    trial_end(&t);
 }
 
 /* ---- what is refused ---- */
@@ -401,10 +425,10 @@ static void test_refused(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pushed),  cmocka_unit_test(test_lifted),     cmocka_unit_test(test_held),
-        cmocka_unit_test(test_piston),  cmocka_unit_test(test_gas_spring), cmocka_unit_test(test_elastic),
-        cmocka_unit_test(test_bits),    cmocka_unit_test(test_head),       cmocka_unit_test(test_steps),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_pushed), cmocka_unit_test(test_lifted),     cmocka_unit_test(test_held),
+        cmocka_unit_test(test_piston), cmocka_unit_test(test_gas_spring), cmocka_unit_test(test_elastic),
+        cmocka_unit_test(test_bits),   cmocka_unit_test(test_head),       cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_drag),   cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -60,6 +60,7 @@ static floe_status find_wall_flow(ice *s, const ice_region *g)
 {
     TRY(ice_find_wall_flow(s, g));
     if (s->implicit && ice_is_viscous(s)) ice_cut_viscous_rates(s, g);
+    if (ice_is_viscous(s)) ice_spread_velocities(s, g);
     if (ice_covered_stick(s)) ice_stick_covered(s, g);
     return FLOE_OK;
 }
@@ -217,10 +218,10 @@ floe_status ice_cut_pressure_stages(ice *s)
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(m, C_ENERGY_FOUND), WHEN(m, C_VOLUME_FOUND),
                  WHEN(r, C_REACTED), WHEN(slips, C_WALL), WHEN(slips, C_OPEN)));
-    STAGE(s, ice_sees_walls(s), ice_cut_wall_flow,
-          READS(C_RHO, C_VEL, C_OPEN, WHEN(heat, C_ENERGY), WHEN(m && heat, C_TEMP)),
-          WRITES(WHEN(viscous, C_VEL_CENTRED), WHEN(implicit && viscous, C_VEL), WHEN(implicit && viscous, C_DIFFUSION),
-                 WHEN(implicit && viscous, C_DIFFUSION_HEAT), WHEN(heat, C_DIFFUSION_T)));
+    STAGE(s, ice_sees_walls(s), ice_cut_wall_flow, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, WHEN(m && heat, C_TEMP)),
+          WRITES(WHEN(viscous, C_VEL_CENTRED), WHEN(viscous, C_VEL), WHEN(viscous, C_ENERGY),
+                 WHEN(implicit && viscous, C_DIFFUSION), WHEN(implicit && viscous, C_DIFFUSION_HEAT),
+                 WHEN(heat, C_DIFFUSION_T)));
     STAGE(s, ALWAYS, ice_cut_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(implicit && viscous, C_DIFFUSION), WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL),

@@ -86,6 +86,12 @@ floe_status ice_extrapolate_states(ice *s, const ice_region *g)
     return FLOE_OK;
 }
 
+void ice_fill_changed(const ice *s, const ice_region *g)
+{
+    ice_fill_ghosts(s, C_VEL, g->first, FILL_CURRENT, GHOST_VELOCITY);
+    ice_fill_ghosts(s, C_ENERGY, g->first, FILL_CURRENT, GHOST_ENERGY);
+}
+
 bool ice_covered_stick(const ice *s)
 {
     return s->implicit && ice_is_viscous(s);

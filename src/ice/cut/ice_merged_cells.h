@@ -19,6 +19,7 @@ typedef struct ice_member {
     double open;       /* open fraction of the gas */
     double above
         [3]; /* m: of the cell's centre from the open centroid of its merged cells; 0 without gravity, viscosity and heat that passes walls */
+    double own[3];     /* m: of the centroid of its own open volume from the cell's centre, as above[] */
     double face[3][2]; /* mean apertures of its faces in the step, by axis and side */
 } ice_member;
 
@@ -45,8 +46,9 @@ enum {
     MERGED_FLUX, /* m3/s: flux out of its open faces and of the boundary */
     MERGED_WORK, /* J */
     MERGED_MOMENTUM,
-    MERGED_WEIGHT = MERGED_MOMENTUM + MESH_MAX_DIM, /* N s: gravity's impulse */
-    MERGED_SUMS = MERGED_WEIGHT + MESH_MAX_DIM
+    MERGED_WEIGHT = MERGED_MOMENTUM + MESH_MAX_DIM,   /* N s: gravity's impulse */
+    MERGED_DIFFERENCE = MERGED_WEIGHT + MESH_MAX_DIM, /* N s: of the members' velocities from that of the lead */
+    MERGED_SUMS = MERGED_DIFFERENCE + MESH_MAX_DIM
 };
 
 typedef struct ice_merged_cells {
@@ -128,6 +130,10 @@ static inline ptrdiff_t ice_step_to(const block *b, int c)
 /* Merged cells have no valid state left: requests a smaller step. */
 floe_status ice_bad_merged_cells(const ice *s, const ice_merged_cells *p, int merged, double e);
 
+/* Velocities of the members of merged cells, each at the centroid of its own open volume, after the fit (ice_merged_slope.c, theory 7.7). */
+void ice_spread_velocities(const ice *s, const ice_region *g);
+/* Velocities and energies of ghost cells, after those of cells have changed. */
+void ice_fill_changed(const ice *s, const ice_region *g);
 /* The state of a gas in cells without it, for the differences near the boundary (ice_extrapolate.c). */
 floe_status ice_extrapolate_states(ice *s, const ice_region *g);
 /* Whether a viscous fluid sticks to the walls by what covered cells have (theory 7.8); gives them the velocities of 7.7; and whether a member keeps

@@ -347,12 +347,21 @@ static void take_wall_heat(const ice_piece_walk *w)
         *stress_sums_of(w->p, w->member->merged, r).work -= w->weight * w->s->dt * heat_on(w, r);
 }
 
+static void add_mass(const ice *s, const ice_merged_cells *p, const ice_member *m, double *sum)
+{
+    const ice_member *lead = &p->member[p->lead[m->merged]];
+    const ice_fluid *own = &ice_member_view(s, m)->m[0], *of = &ice_member_view(s, lead)->m[0];
+    const double mass = ice_member_view(s, m)->rho_sum[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+    sum[MERGED_MASS] += mass;
+    for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_DIFFERENCE + a] += mass * (own->u[a][m->at] - of->u[a][lead->at]);
+}
+
 static void add_merged_sources(const ice *s, ice_merged_cells *p)
 {
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
         double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
-        sum[MERGED_MASS] += ice_member_view(s, m)->rho_sum[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        add_mass(s, p, m, sum);
         add_faces(s, p, m, sum);
     }
     for (ice_piece_walk w = ice_first_piece(s, p); ice_next_piece(&w);) {
@@ -375,7 +384,7 @@ static void add_merged_sources(const ice *s, ice_merged_cells *p)
 /* Lagrangian velocity and energy of merged cells. Where too little energy would remain, they have that of compression
  * alone (2.7), and the rest is entered as a defect. */
 typedef struct merged_state {
-    double u[3], e;
+    double du[3], e;
 } merged_state;
 
 void ice_enter_weight(const ice *s, const ice_member *lead, const double *sum, double work)
@@ -396,19 +405,17 @@ static merged_state advance_merged_cells(const ice *s, const ice_merged_cells *p
     const double *sum = p->sum + (size_t)merged * MERGED_SUMS, mass = sum[MERGED_MASS],
                  floor = v->material[0].energy_floor;
     merged_state out = {.e = m->e[lead->at]};
-    for (int a = 0; a < s->mesh->dim; ++a) out.u[a] = m->u[a][lead->at];
+    double u[3] = {0.0}, gain = 0.0, kinetic = 0.0, fallen = 0.0;
     if (!(mass > 0.0)) return out;
-    double gain = 0.0, kinetic = 0.0;
     for (int a = 0; a < s->mesh->dim; ++a) {
-        const double du = sum[MERGED_MOMENTUM + a] / mass, u = out.u[a];
-        out.u[a] += du;
-        gain += du * 0.5 * (u + out.u[a]);
-        kinetic += 0.5 * out.u[a] * out.u[a];
+        u[a] = m->u[a][lead->at] + sum[MERGED_DIFFERENCE + a] / mass;
+        const double du = sum[MERGED_MOMENTUM + a] / mass, next = u[a] + du;
+        out.du[a] = du;
+        gain += du * 0.5 * (u[a] + next);
+        kinetic += 0.5 * next * next;
+        if (sum[MERGED_WEIGHT + a] != 0.0) fallen += sum[MERGED_WEIGHT + a] * 0.5 * (u[a] + next);
     }
     const double rho = m->rho[lead->at], c = m->c[lead->at], before = out.e;
-    double fallen = 0.0;
-    for (int a = 0; a < s->mesh->dim; ++a)
-        if (sum[MERGED_WEIGHT + a] != 0.0) fallen += sum[MERGED_WEIGHT + a] * 0.5 * (m->u[a][lead->at] + out.u[a]);
     ice_enter_weight(s, lead, sum, fallen);
     const double conserving = before + (sum[MERGED_WORK] + fallen) / mass - gain;
     const double plain = before + v->P[lead->at] * v->dP[lead->at] / (rho * rho * c * c);
@@ -449,7 +456,7 @@ static void advance_fluid(const ice *s, ice_merged_cells *p)
     for (int merged = 0; merged < p->count; ++merged) {
         const merged_state now = advance_merged_cells(s, p, merged);
         double *sum = p->sum + (size_t)merged * MERGED_SUMS;
-        for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] = now.u[a];
+        for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] = now.du[a];
         sum[MERGED_WORK] = now.e;
     }
     for (int k = 0; k < p->n; ++k) {
@@ -458,7 +465,9 @@ static void advance_fluid(const ice *s, ice_merged_cells *p)
         const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
         to->el[m->at] = sum[MERGED_WORK];
         if (ice_keeps_sticking(s, p, m)) continue;
-        for (int a = 0; a < s->mesh->dim; ++a) to->ul[a][m->at] = sum[MERGED_MOMENTUM + a];
+        const ice_member *from = m->open > 0.0 ? m : &p->member[p->lead[m->merged]];
+        const ice_fluid *of = &ice_member_view(s, from)->m[0];
+        for (int a = 0; a < s->mesh->dim; ++a) to->ul[a][m->at] = of->u[a][from->at] + sum[MERGED_MOMENTUM + a];
     }
 }
 

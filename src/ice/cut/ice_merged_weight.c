@@ -32,7 +32,7 @@ void ice_merged_centre(const ice *s, int place, ice_merged_cells *p)
 {
     ice_clear_merged(p);
     for (int k = 0; k < p->n; ++k) {
-        const ice_member *m = &p->member[k];
+        ice_member *m = &p->member[k];
         double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
         const double volume = mesh_cell_volume(s->mesh, m->cell[0]);
         sum[MERGED_VOLUME] += m->open * volume;
@@ -40,6 +40,7 @@ void ice_merged_centre(const ice *s, int place, ice_merged_cells *p)
             const double moment =
                 m->open > 0.0 && m->open < 1.0 ? moment_of(s, p->region->number, place, m->cell, a) : 0.0;
             sum[MERGED_MOMENTUM + a] += volume * (m->open * mesh_centre(s->mesh, a, m->cell[a]) + moment);
+            m->own[a] = m->open > 0.0 ? moment / m->open : 0.0;
         }
     }
     for (int k = 0; k < p->n; ++k) {

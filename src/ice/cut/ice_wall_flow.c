@@ -305,6 +305,17 @@ void ice_centre_temperatures(ice *s, const ice_region *g)
     for (int r = 0; r < g->n; ++r) ice_fill_ghosts(s, C_DIFFUSION_T, g->first + r, FILL_CURRENT, GHOST_TEMPERATURE);
 }
 
+void ice_wall_flow_difference(const ice *s, const ice_region *g, int k, const double from_centre[3], double du[3])
+{
+    const ice_wall_flow *w = s->cut_cells->wall[g->number];
+    const fit_cell *f = &w->cell[k];
+    const fluid_fit *of = &w->fluid[k * g->n];
+    double x[3] = {0.0}, t[FIT_TERMS];
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, f->cell[a]) + from_centre[a];
+    fit_terms(s->mesh, f, x, t);
+    for (int a = 0; a < s->mesh->dim; ++a) du[a] = fit_sum(t, of->term[a]) + of->miss[a];
+}
+
 /* Gradient of the velocity, by component and axis. */
 static void gradient_at(const ice *s, const fit_cell *f, const fluid_fit *of, const wall_place *w, double G[3][3])
 {

@@ -27,6 +27,8 @@ void ice_centre_temperatures(ice *s, const ice_region *g);
 double ice_wall_heat(const ice *s, const ice_region *g, int r, const wall_place *w);
 /* Temperature (K) of a piece of a boundary; NAN: it is insulated. */
 double ice_wall_temperature(const ice *s, const ice_embedded_boundary *line, const cut_piece *q);
+/* Difference of the fit from the merged cell's centroid to a place given from the centre of member k's cell. */
+void ice_wall_flow_difference(const ice *s, const ice_region *g, int k, const double from_centre[3], double du[3]);
 void ice_wall_flow_destroy(context *ctx, struct ice_wall_flow **w);
 
 #endif
