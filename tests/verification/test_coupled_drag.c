@@ -181,7 +181,8 @@ static void test_pipe(void **unused)
 /* ---- cylinders ---- */
 
 /* Torque of the fluid between a cylinder of radius 1/2 that turns and one of radius 1 at rest, over 4 pi mu omega r^2 R^2/(R^2 - r^2) (Batchelor 1967,
- * section 4.5). Measured: 1.4 and 0.5 % off with four cells a radius (0.003 and 0.2 with eight; 14 and 2 by a drag over half a cell). */
+ * section 4.5). Measured: 1.8 and 1.2 % off with four cells a radius (0.2 and 0.2 with eight; 1.4 and 0.5 with one velocity for all
+ * members of a merged cell, which flows past bodies do not bear; 14 and 2 by a drag over half a cell). */
 static void test_cylinders(void **unused)
 {
     (void)unused;
@@ -205,7 +206,7 @@ static void test_cylinders(void **unused)
     for (int b = 0; b < 2; ++b) check_true(mpm_motion_force(t.sim->mpm, b, force, moment[b]));
     print_message("cylinders: moments %.5f and %.5f of the exact one\n", moment[0][2] / torque, moment[1][2] / torque);
     check_close_relative(fabs(moment[0][2]), torque, 0.028);
-    check_close_relative(fabs(moment[1][2]), torque, 0.01);
+    check_close_relative(fabs(moment[1][2]), torque, 0.024);
     check_true(moment[0][2] * moment[1][2] < 0.0);
     end(&t);
 }
