@@ -190,7 +190,9 @@ static double stable_share(const mpm *s)
 /* In the plane and in space the step is less than h/c by the diagonal already, and the worst place is a corner. */
 static double stable_share_here(const mpm *s)
 {
-    return s->mesh->dim == 1 ? stable_share(s) : fmin(1.0, MPM_STEP_IN_SPACE * stable_share(s));
+    const bool joined = s->contact && s->transfer->restore && !s->basis->fact.hats;
+    const double most = !joined ? 1.0 : s->mesh->dim == 1 ? MPM_CONTACT_STEP : MPM_CONTACT_STEP_IN_SPACE;
+    return fmin(most, s->mesh->dim == 1 ? stable_share(s) : MPM_STEP_IN_SPACE * stable_share(s));
 }
 
 static void limit_by_conduction(const mpm *s, step_limit *out)
