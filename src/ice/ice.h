@@ -81,6 +81,8 @@ typedef struct ice_cut_geometry {
     void (*bound_outflow)(const ice *s, const ice_region *g);
     /* Weights (m3) of a region's cells after the step, block by block: in merged cells their sum, shared by open volume. */
     void (*spread_weights)(const ice *s, const ice_region *g, double *const *weight);
+    /* Restores what a step that is rejected has changed in merged cells. */
+    void (*rollback)(ice *s);
 } ice_cut_geometry;
 
 struct ice {

@@ -60,7 +60,7 @@ static floe_status find_wall_flow(ice *s, const ice_region *g)
 {
     TRY(ice_find_wall_flow(s, g));
     if (s->implicit && ice_is_viscous(s)) ice_cut_viscous_rates(s, g);
-    if (ice_is_viscous(s)) ice_spread_velocities(s, g);
+    if (ice_is_viscous(s)) TRY(ice_spread_velocities(s, g));
     if (ice_covered_stick(s)) ice_stick_covered(s, g);
     return FLOE_OK;
 }
@@ -127,7 +127,8 @@ static void spread_weights(const ice *s, const ice_region *g, double *const *wei
     }
 }
 
-const ice_cut_geometry ice_embedded_geometry = {side_aperture, ice_is_merged, ice_bound_merged, spread_weights};
+const ice_cut_geometry ice_embedded_geometry = {side_aperture, ice_is_merged, ice_bound_merged, spread_weights,
+                                                ice_rollback_spread};
 
 /* ---- after the points have moved ---- */
 

@@ -452,6 +452,7 @@ void ice_cut_cells_destroy(context *ctx, ice_cut_cells **w)
         free_merged_cells(ctx, &(*w)->now[g]);
         free_merged_cells(ctx, &(*w)->next[g]);
         ice_wall_flow_destroy(ctx, &(*w)->wall[g]);
+        memory_free(ctx, &(*w)->spread[g].before);
     }
     ice_cut_system_destroy(ctx, &(*w)->system);
     memory_free(ctx, &(*w)->view);

@@ -62,9 +62,24 @@ typedef struct ice_merged_cells {
     size_t reserved;
 } ice_merged_cells;
 
+/* What a member had before its velocity became one of its own, for a step that is rejected. */
+typedef struct ice_before_spread {
+    int block;
+    ptrdiff_t at;
+    double u[3], e;
+} ice_before_spread;
+
+typedef struct ice_spread {
+    ice_before_spread *before; /* owned */
+    size_t reserved;
+    int n;
+    long step; /* 1 + the step that has spread them; 0: none */
+} ice_spread;
+
 typedef struct ice_cut_cells {
     ice_merged_cells now[ICE_CUT_REGIONS], next[ICE_CUT_REGIONS];
-    fluid_state rest[ICE_CUT_REGIONS];           /* state of each gas in cells far from it */
+    fluid_state rest[ICE_CUT_REGIONS]; /* state of each gas in cells far from it */
+    ice_spread spread[ICE_CUT_REGIONS];
     double usual[ICE_MAX_MATERIALS];             /* kg/m3: density of each fluid at the start */
     struct ice_wall_flow *wall[ICE_CUT_REGIONS]; /* NULL where no fluid is viscous and no heat passes; owned */
     struct ice_cut_system *system;               /* of the implicit pressure (ice_cut_implicit.c); NULL: none; owned */
@@ -131,7 +146,9 @@ static inline ptrdiff_t ice_step_to(const block *b, int c)
 floe_status ice_bad_merged_cells(const ice *s, const ice_merged_cells *p, int merged, double e);
 
 /* Velocities of the members of merged cells, each at the centroid of its own open volume, after the fit (ice_merged_slope.c, theory 7.7). */
-void ice_spread_velocities(const ice *s, const ice_region *g);
+floe_status ice_spread_velocities(ice *s, const ice_region *g);
+/* Gives them back what they had, if the current step has done so. */
+void ice_rollback_spread(ice *s);
 /* Velocities and energies of ghost cells, after those of cells have changed. */
 void ice_fill_changed(const ice *s, const ice_region *g);
 /* The state of a gas in cells without it, for the differences near the boundary (ice_extrapolate.c). */

@@ -3,6 +3,7 @@
 #include "ice/cut/ice_merged_cells.h"
 #include "ice/cut/ice_wall_flow.h"
 
+#include "base/memory.h"
 #include "ice/ice_constants.h"
 
 #include <math.h>
@@ -49,10 +50,48 @@ static double settle_differences(const ice *s, const ice_merged_cells *p, int me
     return share;
 }
 
-void ice_spread_velocities(const ice *s, const ice_region *g)
+static floe_status save_members(ice *s, const ice_region *g)
+{
+    const ice_merged_cells *p = &s->cut_cells->now[g->number];
+    ice_spread *to = &s->cut_cells->spread[g->number];
+    if ((size_t)p->n > to->reserved) {
+        const size_t wanted = (size_t)p->n + (size_t)p->n / 2;
+        TRY(memory_resize(s->ctx, &to->before, wanted, sizeof *to->before));
+        to->reserved = wanted;
+    }
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const ice_fluid *of = &ice_member_view(s, m)->m[0];
+        ice_before_spread *b = &to->before[k];
+        *b = (ice_before_spread){.block = m->block, .at = m->at, .e = of->e[m->at]};
+        for (int a = 0; a < s->mesh->dim; ++a) b->u[a] = of->u[a][m->at];
+    }
+    to->n = p->n;
+    to->step = s->step + 1;
+    return FLOE_OK;
+}
+
+void ice_rollback_spread(ice *s)
+{
+    for (int g = 0; g < s->n_regions; ++g) {
+        ice_spread *from = &s->cut_cells->spread[g];
+        if (from->step != s->step + 1) continue;
+        ice_cut_views(s, &s->region[g]);
+        for (int k = 0; k < from->n; ++k) {
+            const ice_before_spread *b = &from->before[k];
+            const ice_fluid *of = &s->cut_cells->view[b->block].m[0];
+            of->e[b->at] = b->e;
+            for (int a = 0; a < s->mesh->dim; ++a) of->u[a][b->at] = b->u[a];
+        }
+        from->step = 0;
+    }
+}
+
+floe_status ice_spread_velocities(ice *s, const ice_region *g)
 {
     ice_merged_cells *p = &s->cut_cells->now[g->number];
-    if (g->n > 1) return;
+    if (g->n > 1) return FLOE_OK;
+    TRY(save_members(s, g));
     sum_differences(s, g, p);
     for (int merged = 0; merged < p->count; ++merged) {
         const double share = settle_differences(s, p, merged);
@@ -70,4 +109,5 @@ void ice_spread_velocities(const ice *s, const ice_region *g)
         of->e[m->at] -= sum[MERGED_WORK];
     }
     ice_fill_changed(s, g);
+    return FLOE_OK;
 }

@@ -73,6 +73,7 @@ static void rollback_region(ice *s, const ice_region *g)
 void ice_rollback_step(ice *s)
 {
     for (int g = 0; g < s->n_regions && s->closure; ++g) rollback_region(s, &s->region[g]);
+    if (s->cut) s->cut->rollback(s);
 }
 
 /* A state in which no pressure fills a cell keeps the fractions of the last step; the next step will say what is wrong
