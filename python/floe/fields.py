@@ -75,14 +75,15 @@ def unknown(snapshot: SealedSnapshot, points: bool, name: str) -> Refused:
     return Refused(f"there is no field '{name}' of {what} in '{snapshot.path}'; there are: {', '.join(found)}, none", 2)
 
 
-def _fraction_of(snapshot: SealedSnapshot, body: str | None, field: str) -> str | None:
-    """The volume fraction of the material whose field this is, by its name."""
-    prefix = "volume_fraction"
-    for one in names_of(snapshot, body):
-        material = one[len(prefix):]
-        if one.startswith(prefix) and one != field and len(material) > 1 and field.endswith(material):
-            return one
-    return None
+def _shares_of(snapshot: SealedSnapshot, body: str | None, field: str) -> list[str]:
+    """The shares of a cell that the material whose field this is fills, and that are open to it, by their names."""
+    found = []
+    for prefix in ("volume_fraction", "open_fraction"):
+        for one in names_of(snapshot, body):
+            material = one[len(prefix):]
+            if one.startswith(prefix) and one != field and len(material) > 1 and field.endswith(material):
+                found.append(one)
+    return found
 
 
 def _parted(snapshot: SealedSnapshot) -> list[str]:
@@ -120,7 +121,6 @@ def values(snapshot: SealedSnapshot, choice: Choice) -> tuple[numpy.ndarray, str
         out[_nothing(snapshot, out.shape)] = numpy.nan
     if _is_vector(snapshot, choice.body, choice.field):
         out = out[..., choice.component] if choice.component is not None else numpy.sqrt((out ** 2).sum(axis=-1))
-    fraction = _fraction_of(snapshot, choice.body, choice.field)
-    if fraction:
-        out = numpy.where(snapshot.read(choice.body, fraction).values >= 1e-3, out, numpy.nan)
+    for share in _shares_of(snapshot, choice.body, choice.field):
+        out = numpy.where(snapshot.read(choice.body, share).values >= 1e-3, out, numpy.nan)
     return out, quantity.unit
