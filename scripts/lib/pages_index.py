@@ -9,7 +9,7 @@ SCRIPTS = ROOT / "scripts/results"
 
 #: The pages, in the order of the index; those that are made only when they are named stand apart.
 ORDER = ("defaults", "a1", "edges", "studies", "couplings", "sod", "shocks", "waves", "bases", "cpdi", "transport", "conservation", "exchange", "statics", "implicit", "stability", "extreme",
-         "robustness", "contact", "normals", "axis", "membrane-3d", "membrane-rest", "embedded", "interface", "substeps", "ball-net", "airbag", "york-points", "york-membranes", "speed",
+         "robustness", "contact", "normals", "axis", "membrane-3d", "membrane-rest", "embedded", "interface", "substeps", "ball-net", "airbag", "york-points", "york-membranes", "streams", "speed",
          "cost_accuracy", "picture", "gallery")
 ONLY_NAMED = ("mutants",)  # of scripts/mutants.py (hours)
 
