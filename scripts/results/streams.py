@@ -34,14 +34,17 @@ def held(page):
 
 
 def swing(time, values):
-    """Mean and amplitude over the last whole swing, and the frequency of the last four: by the values' crossings of their middle upwards."""
+    """Mean and amplitude over the last third, by the medians of the swings' maxima and minima, as a single row may stand out; and the frequency. Swings begin
+    where the values cross their middle upwards."""
     late = time > 0.7 * time[-1]
     t, x = time[late], values[late]
-    middle = 0.5 * (x.max() + x.min())
-    up = [t[k] + (middle - x[k]) / (x[k + 1] - x[k]) * (t[k + 1] - t[k]) for k in range(len(x) - 1) if x[k] < middle <= x[k + 1]]
-    if len(up) < 3:
+    middle = 0.5 * (numpy.percentile(x, 95) + numpy.percentile(x, 5))
+    at = [k for k in range(len(x) - 1) if x[k] < middle <= x[k + 1]]
+    if len(at) < 3:
         return middle, 0.5 * (x.max() - x.min()), math.nan
-    return middle, 0.5 * (x.max() - x.min()), (len(up) - 1) / (up[-1] - up[0])
+    up = [t[k] + (middle - x[k]) / (x[k + 1] - x[k]) * (t[k + 1] - t[k]) for k in at]
+    most, least = (float(numpy.median([one(x[a:b]) for a, b in zip(at, at[1:])])) for one in (numpy.max, numpy.min))
+    return 0.5 * (most + least), 0.5 * (most - least), (len(up) - 1) / (up[-1] - up[0])
 
 
 def let_go(page):
