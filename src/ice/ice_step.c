@@ -146,3 +146,9 @@ floe_status ice_step(ice *s)
     TRY(ice_exchange_stages(s));
     return ice_advection_stages(s);
 }
+
+void ice_rollback_step(ice *s)
+{
+    ice_rollback_closure(s);
+    if (s->cut) s->cut->rollback(s);
+}

@@ -108,6 +108,13 @@ static bool is_usl(const mpm *s)
     return !is_usf(s) && !is_musl(s);
 }
 
+static floe_status node_heat_stage(mpm *s, bool when)
+{
+    STAGE(s, when, mpm_heat_to_nodes, READS(P_MASS, P_POS, DOMAINS, P_TEMP, WHEN(conducts(s), P_TEMP_GRADIENT)),
+          WRITES(N_CAPACITY, N_HEAT, N_TEMP, N_TEMP_CHANGE, WHEN(conducts(s), N_HEAT_GRADIENT)));
+    return FLOE_OK;
+}
+
 floe_status mpm_mass_stages(mpm *s)
 {
     const bool force = forces_at_once(s), drive = s->carries[P_DRIVE] && force;
@@ -121,9 +128,7 @@ floe_status mpm_mass_stages(mpm *s)
           READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(advects_points(s), P_AFFINE), DOMAINS, WHEN(drive, P_DRIVE),
                 WHEN(force && s->carries[P_MEAN_PRESSURE], P_MEAN_PRESSURE), POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
-    STAGE(s, group_gives_heat(s, -1), mpm_heat_to_nodes,
-          READS(P_MASS, P_POS, DOMAINS, P_TEMP, WHEN(conducts(s), P_TEMP_GRADIENT)),
-          WRITES(N_CAPACITY, N_HEAT, N_TEMP, N_TEMP_CHANGE, WHEN(conducts(s), N_HEAT_GRADIENT)));
+    TRY(node_heat_stage(s, group_gives_heat(s, -1)));
     STAGE(s, has_motions(s), mpm_motion_momenta, READS(N_MASS, N_MOMENTUM), WRITES(N_MOMENTUM));
     STAGE(s, has_wetted(s), mpm_wetted_area, READS(N_MASS, P_POS, P_VOLUME0, P_J, P_STRESS, DOMAINS),
           WRITES(N_WETTED_AREA));
@@ -136,10 +141,7 @@ floe_status mpm_mass_stages(mpm *s)
 
 floe_status mpm_surface_temperature_stages(mpm *s)
 {
-    STAGE(s, takes_wall_heat(s), mpm_heat_to_nodes,
-          READS(P_MASS, P_POS, DOMAINS, P_TEMP, WHEN(conducts(s), P_TEMP_GRADIENT)),
-          WRITES(N_CAPACITY, N_HEAT, N_TEMP, N_TEMP_CHANGE, WHEN(conducts(s), N_HEAT_GRADIENT)));
-    return FLOE_OK;
+    return node_heat_stage(s, takes_wall_heat(s));
 }
 
 floe_status mpm_burn_stages(mpm *s)

@@ -32,7 +32,7 @@ run "$discs" domain.stress_state=plane_stress "materials.rubber.law=$weak" 'cont
 below "$(energy)" 1 # measured 0.92
 below 0.83 "$(energy)"
 
-# A block falls by its weight on another that is held, both as wide as the mesh: nothing swings up at the default step. Where the step was not less than without a contact,
+# A block falls by its weight on another that is supported, both as wide as the mesh: nothing swings up at the default step. Where the step was not less than without a contact,
 # the run was ended at 0.17 s by energy from nothing (theory 4.6).
 cat >rest.yaml <<'END'
 floe: 1

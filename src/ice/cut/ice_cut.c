@@ -181,8 +181,10 @@ static floe_status find_sources(ice *s, const ice_region *g)
     TRY(ice_merge_cells(s, MERGE_MOVING, &s->cut_cells->now[g->number]));
     ice_cut_views(s, g);
     TRY(apply_apertures(s, g));
-    if (ice_conducts(s)) ice_find_temperatures(s, g);
-    if (s->heats_walls) ice_centre_temperatures(s, g);
+    if (s->heats_walls)
+        ice_centre_temperatures(s, g); /* they are known since the fit */
+    else if (ice_conducts(s))
+        ice_find_temperatures(s, g);
     ice_find_sources(s, g);
     ice_merged_sources(s, g);
     TRY(ice_finish_sources(s, g));
@@ -257,8 +259,8 @@ floe_status ice_cut_flow_stages(ice *s)
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
                 WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, C_SHOCK),
-                WHEN(m && ice_has_diffusion(s), C_VEL_MEAN), WHEN(ice_is_viscous(s), C_VEL_CENTRED), WHEN(r, C_REACTED),
-                WHEN(slips, C_WALL)),
+                WHEN(m && ice_has_diffusion(s), C_VEL_MEAN), WHEN(ice_is_viscous(s), C_VEL_CENTRED),
+                WHEN(s->heats_walls, C_DIFFUSION_T), WHEN(r, C_REACTED), WHEN(slips, C_WALL)),
           WRITES(C_VEL_L, C_ENERGY_L, F_VEL, WHEN(m, F_FLUX), WHEN(m, C_HEAT_OWED), WHEN(m, C_VOLUME_L),
                  WHEN(k, C_DIFFUSION_T), WHEN(r, C_RHO_L)));
     STAGE(s, ALWAYS, ice_cut_advect,

@@ -332,19 +332,21 @@ static void add_drag(const ice_piece_walk *w, const piece_force *f)
     }
 }
 
-/* Heat (W) that fluid r of the region conducts to a piece. */
-static double heat_on(const ice_piece_walk *w, int r)
+/* Heat (W) that each fluid of the region conducts to a piece. */
+static void heat_on(const ice_piece_walk *w, double heat[ICE_MAX_MATERIALS])
 {
-    const ice *s = w->s;
-    const ice_view *v = ice_member_view(s, w->member);
+    const ice_view *v = ice_member_view(w->s, w->member);
     const wall_place place = place_of(w);
-    return (v->multi ? v->m[r].theta[w->member->at] : 1.0) * ice_wall_heat(s, w->p->region, r, &place);
+    for (int r = 0; r < w->p->region->n; ++r)
+        heat[r] = (v->multi ? v->m[r].theta[w->member->at] : 1.0) * ice_wall_heat(w->s, w->p->region, r, &place);
 }
 
 static void take_wall_heat(const ice_piece_walk *w)
 {
+    double heat[ICE_MAX_MATERIALS];
+    heat_on(w, heat);
     for (int r = 0; r < w->p->region->n; ++r)
-        *stress_sums_of(w->p, w->member->merged, r).work -= w->weight * w->s->dt * heat_on(w, r);
+        *stress_sums_of(w->p, w->member->merged, r).work -= w->weight * w->s->dt * heat[r];
 }
 
 static void add_mass(const ice *s, const ice_merged_cells *p, const ice_member *m, double *sum)
@@ -496,9 +498,10 @@ static void push_vertices(const ice_piece_walk *w, const double force[3])
 /* The same of the heat that fluids conduct to it. */
 static void warm_vertices(const ice_piece_walk *w)
 {
-    double heat = 0.0;
-    for (int r = 0; r < w->p->region->n; ++r) heat += w->weight * heat_on(w, r);
-    for (int k = 0; k < w->s->mesh->dim; ++k) w->line->heat_flow[w->piece->vertex[k]] += heat * w->piece->weight[k];
+    double heat[ICE_MAX_MATERIALS], all = 0.0;
+    heat_on(w, heat);
+    for (int r = 0; r < w->p->region->n; ++r) all += w->weight * heat[r];
+    for (int k = 0; k < w->s->mesh->dim; ++k) w->line->heat_flow[w->piece->vertex[k]] += all * w->piece->weight[k];
 }
 
 /* Forces of a region on the boundaries beside it, and its heat into them. */

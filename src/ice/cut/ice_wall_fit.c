@@ -6,6 +6,19 @@
 #include <math.h>
 #include <string.h>
 
+int fit_at(const ice *s, const ice_wall_flow *w, const wall_place *at)
+{
+    const int own = w->fit_of[cut_index(s->mesh, at->cell)];
+    return own < 0 ? -1 : w->cell[own].host;
+}
+
+const ice_view *fit_view(const ice *s, const int cell[3], ptrdiff_t *at)
+{
+    const ice_view *v = &s->cut_cells->view[mesh_block_of(s->mesh, cell)];
+    *at = mesh_index(v->b, cell[0] - v->b->lo[0], cell[1] - v->b->lo[1], cell[2] - v->b->lo[2]);
+    return v;
+}
+
 bool fit_next_step(int dim, int reach, int *n, int step[3])
 {
     const int wide = 2 * reach + 1, count = dim == 1 ? wide : dim == 2 ? wide * wide : wide * wide * wide;

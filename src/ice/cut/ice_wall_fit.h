@@ -52,6 +52,10 @@ typedef struct fit_squares {
     int samples; /* of fluid */
 } fit_squares;
 
+/* The fit of the cell that a place lies in, or of the open cell that a covered one belongs to; -1: there is none. */
+int fit_at(const ice *s, const ice_wall_flow *w, const wall_place *at);
+/* The view of the block that owns a cell, and its index there. */
+const ice_view *fit_view(const ice *s, const int cell[3], ptrdiff_t *at);
 /* Steps to the cells around, up to `reach` to each side: for (int n = 0; fit_next_step(dim, reach, &n, step);). */
 bool fit_next_step(int dim, int reach, int *n, int step[3]);
 /* Another cell by steps along the axes, around periodic sides; false beyond the others. shift: m, of its place from where it

@@ -186,8 +186,8 @@ static void near_wall(const mesh *m, const ice_wall_flow *w, fit_cell *f)
 /* Velocity of fluid r in a cell; returns the open fraction of the cell, 0 where there is none of the fluid. */
 static double state_in(const ice *s, int r, const int cell[3], double u[3])
 {
-    const ice_view *v = &s->cut_cells->view[mesh_block_of(s->mesh, cell)];
-    const ptrdiff_t at = mesh_index(v->b, cell[0] - v->b->lo[0], cell[1] - v->b->lo[1], cell[2] - v->b->lo[2]);
+    ptrdiff_t at;
+    const ice_view *v = fit_view(s, cell, &at);
     const ice_fluid *m = &v->m[r];
     for (int a = 0; a < s->mesh->dim; ++a) u[a] = m->u[a][at];
     return m->rho[at] > 0.0 ? m->open[at] : 0.0;
@@ -250,8 +250,8 @@ static void fit_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, i
 /* The velocity at the centre of the cell. */
 static void store_centre(const ice *s, const ice_wall_flow *w, const fit_cell *f, int r, const fluid_fit *of)
 {
-    const ice_view *v = &s->cut_cells->view[mesh_block_of(s->mesh, f->cell)];
-    const ptrdiff_t at = mesh_index(v->b, f->cell[0] - v->b->lo[0], f->cell[1] - v->b->lo[1], f->cell[2] - v->b->lo[2]);
+    ptrdiff_t at;
+    const ice_view *v = fit_view(s, f->cell, &at);
     const bool open = &w->cell[f->host] == f;
     double x[3] = {0.0}, t[FIT_TERMS];
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, f->cell[a]);
@@ -335,8 +335,7 @@ void ice_wall_drag(const ice *s, const ice_region *g, int r, const wall_place *w
 {
     const ice_wall_flow *flow = s->cut_cells->wall[g->number];
     const ice_material *m = &s->material[g->first + r];
-    const int dim = s->mesh->dim, own = flow->fit_of[cut_index(s->mesh, w->cell)];
-    const int fit = own < 0 ? -1 : flow->cell[own].host;
+    const int dim = s->mesh->dim, fit = fit_at(s, flow, w);
     const double mu = m->shear_viscosity, dilatation = m->bulk_viscosity - 2.0 / 3.0 * mu;
     double G[3][3], div = 0.0;
     for (int a = 0; a < dim; ++a) drag[a] = 0.0;

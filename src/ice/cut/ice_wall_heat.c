@@ -10,8 +10,8 @@
 /* Where fluid r has a state in a cell: its temperature and the open share of the cell, 0 where there is none of it. */
 static double temperature_in(const ice *s, int r, const int cell[3], double *T)
 {
-    const ice_view *v = &s->cut_cells->view[mesh_block_of(s->mesh, cell)];
-    const ptrdiff_t at = mesh_index(v->b, cell[0] - v->b->lo[0], cell[1] - v->b->lo[1], cell[2] - v->b->lo[2]);
+    ptrdiff_t at;
+    const ice_view *v = fit_view(s, cell, &at);
     *T = v->m[r].diffT[at];
     return v->m[r].rho[at] > 0.0 ? v->m[r].open[at] : 0.0;
 }
@@ -76,9 +76,8 @@ void fit_centre_temperatures(const ice *s, const ice_region *g)
     const ice_wall_flow *w = s->cut_cells->wall[g->number];
     for (int k = 0; k < w->n; ++k) {
         const fit_cell *f = &w->cell[k];
-        const ice_view *v = &s->cut_cells->view[mesh_block_of(s->mesh, f->cell)];
-        const ptrdiff_t at =
-            mesh_index(v->b, f->cell[0] - v->b->lo[0], f->cell[1] - v->b->lo[1], f->cell[2] - v->b->lo[2]);
+        ptrdiff_t at;
+        const ice_view *v = fit_view(s, f->cell, &at);
         double x[3] = {0.0}, t[FIT_TERMS];
         for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, f->cell[a]);
         fit_terms(s->mesh, f, x, t);
@@ -92,7 +91,7 @@ void fit_centre_temperatures(const ice *s, const ice_region *g)
 double ice_wall_heat(const ice *s, const ice_region *g, int r, const wall_place *w)
 {
     const ice_wall_flow *flow = s->cut_cells->wall[g->number];
-    const int own = flow->fit_of[cut_index(s->mesh, w->cell)], fit = own < 0 ? -1 : flow->cell[own].host;
+    const int fit = fit_at(s, flow, w);
     const double size = fit_length(w->area), k = s->material[g->first + r].conductivity;
     if (fit < 0 || !(k > 0.0) || !(size > 0.0) || isnan(w->T)) return 0.0;
     const fit_cell *f = &flow->cell[fit];

@@ -70,10 +70,9 @@ static void rollback_region(ice *s, const ice_region *g)
     }
 }
 
-void ice_rollback_step(ice *s)
+void ice_rollback_closure(ice *s)
 {
     for (int g = 0; g < s->n_regions && s->closure; ++g) rollback_region(s, &s->region[g]);
-    if (s->cut) s->cut->rollback(s);
 }
 
 /* A state in which no pressure fills a cell keeps the fractions of the last step; the next step will say what is wrong
@@ -84,7 +83,7 @@ floe_status ice_refresh(ice *s)
     const ledger counted = *s->ledger;
     floe_status status = ice_boundary_ghosts(s);
     if (status == FLOE_OK) status = ice_equilibrium_pressure(s);
-    ice_rollback_step(s);
+    ice_rollback_closure(s);
     *s->ledger = counted;
     if (status != FLOE_RETRY) return status;
     context_clear(s->ctx);

@@ -27,7 +27,7 @@ typedef struct ice_closure {
 
 /* Pressures and fractions of several materials in one block (theory 2.1). */
 floe_status ice_mixture(ice *s, const ice_region *g, int block_id, const ice_view *v);
-/* Saves the state that the closure of a block's cells will change, for ice_rollback_step. */
+/* Saves the state that the closure of a block's cells will change, for ice_rollback_closure. */
 void ice_save_found(ice *s, int block_id, const ice_view *v);
 
 /* Whether a fluid's own pressure is the cell's (theory 2.15). */

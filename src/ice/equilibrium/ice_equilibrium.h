@@ -10,6 +10,8 @@
 /* Storage of regions of several materials; none without them. */
 floe_status ice_closure_create(ice *s);
 void ice_closure_destroy(context *ctx, struct ice_closure **w);
+/* Gives cells that the closure of the current step has changed their state back. */
+void ice_rollback_closure(ice *s);
 /* Owned cells of a view with more than one material of its region. */
 const ice_cell_list *ice_mixed_cells(const ice *s, const ice_view *v);
 /* Pressure of a region, and of several materials its volume fractions (theory 2.1). */
