@@ -133,20 +133,22 @@ const ice_cut_geometry ice_embedded_geometry = {side_aperture, ice_is_merged, ic
 /* ---- after the points have moved ---- */
 
 /* Share of the lower face of a local cell that is open to the gas in the mean of the step; beyond the last cell, of its
- * upper face. */
-static double mean_open(const ice *s, const ice_region *g, const block *b, int axis, int i, int j, int k)
+ * upper face. A cell that no boundary cuts at any time of the step is open or closed throughout it. */
+static double mean_open(const ice *s, const ice_merged_cells *p, const block *b, int axis, int i, int j, int k)
 {
     int cell[3] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k}, side = SIDE_LOWER;
     if (cell[axis] == s->mesh->n[axis]) {
         cell[axis]--;
         side = SIDE_UPPER;
     }
-    return ice_mean_face(s, g->number, cell, axis, side);
+    const int member = p->place[cut_index(s->mesh, cell)];
+    return member >= 0 ? p->member[member].face[axis][side] : ice_open_cell(s, p->region->number, CUT_NOW, cell);
 }
 
 /* From velocities of the gas to volume fluxes per area of the whole face. */
 static floe_status apply_apertures(ice *s, const ice_region *g)
 {
+    const ice_merged_cells *p = &s->cut_cells->now[g->number];
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const ice_view *v = &s->cut_cells->view[id];
         for (int axis = 0; axis < s->mesh->dim; ++axis) {
@@ -156,7 +158,7 @@ static floe_status apply_apertures(ice *s, const ice_region *g)
                 const int j = ice_row_j(q, row), k = ice_row_k(q, row);
                 for (int i = 0; i < v->b->n[0] + (axis == 0); ++i) {
                     const ptrdiff_t face = mesh_index(v->b, i, j, k);
-                    const double share = mean_open(s, g, v->b, axis, i, j, k);
+                    const double share = mean_open(s, p, v->b, axis, i, j, k);
                     for (int r = 0; r < v->n_materials; ++r) v->m[r].fu[axis][face] *= share;
                     if (v->multi) v->flux[axis][face] *= share;
                 }

@@ -12,7 +12,8 @@
 bool ice_encloses(const ice *s, int line, int region)
 {
     const int r = s->embedded.boundary[line].enclosed;
-    return r >= 0 && ice_region_of(s, r)->number == region;
+    const ice_region *g = &s->region[region];
+    return r >= g->first && r < g->first + g->n;
 }
 
 int ice_line_about(const ice *s, int region)

@@ -17,26 +17,7 @@ static floe_status find_place(ice *s, inject_place *p, const shape *region, int 
 {
     p->region = region;
     p->material = ice_material_of(s, fluid);
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const block *b = &s->mesh->block[id];
-        size_t most = 0;
-        for (ice_walk c = ICE_FIRST; ice_next_cell(b, &c);) most += ice_region_share(s->mesh, region, c.cell) > 0.0;
-        TRY(memory_new(s->ctx, &p->cells[id].at, most + 1, sizeof *p->cells[id].at));
-        TRY(memory_new(s->ctx, &p->share[id], most + 1, sizeof *p->share[id]));
-        for (ice_walk c = ICE_FIRST; ice_next_cell(b, &c);) {
-            const double share = ice_region_share(s->mesh, region, c.cell);
-            if (!(share > 0.0)) continue;
-            p->share[id][p->cells[id].n] = share;
-            p->cells[id].at[p->cells[id].n++] = c.at;
-        }
-    }
-    return FLOE_OK;
-}
-
-static void destroy_place(context *ctx, inject_place *p)
-{
-    ice_lists_destroy(ctx, p->cells);
-    for (int id = 0; id < MESH_MAX_BLOCKS; ++id) memory_free(ctx, &p->share[id]);
+    return ice_region_cells_create(s, region, &p->within);
 }
 
 bool ice_injects(const ice *s)
@@ -71,9 +52,9 @@ floe_status ice_injection_create(ice *s)
 void ice_injection_destroy(context *ctx, ice_injection **w)
 {
     if (!*w) return;
-    for (int k = 0; k < SCENE_MAX_SOURCES; ++k) destroy_place(ctx, &(*w)->source[k]);
+    for (int k = 0; k < SCENE_MAX_SOURCES; ++k) ice_region_cells_destroy(ctx, &(*w)->source[k].within);
     for (int k = 0; k < SCENE_MAX_VENTS; ++k)
-        for (int side = 0; side < 2; ++side) destroy_place(ctx, &(*w)->vent[k][side]);
+        for (int side = 0; side < 2; ++side) ice_region_cells_destroy(ctx, &(*w)->vent[k][side].within);
     for (int id = 0; id < MESH_MAX_BLOCKS; ++id) memory_free(ctx, &(*w)->weight[id]);
     memory_free(ctx, w);
 }
@@ -97,12 +78,13 @@ double ice_set_weights(ice *s, const inject_place *p)
     double **weight = s->injection->weight, sum[3];
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
-        const ice_cell_list *list = &p->cells[v.b->id];
+        const ice_cell_list *list = &p->within.cells[v.b->id];
         memset(weight[v.b->id], 0, v.b->size * sizeof(double));
         for (size_t n = 0; n < list->n; ++n) {
             int local[MESH_MAX_DIM];
             ice_cell_of(v.b, list->at[n], local);
-            weight[v.b->id][list->at[n]] = p->share[v.b->id][n] * v.volume[local[0]] * fluid_share(s, &v, list->at[n]);
+            weight[v.b->id][list->at[n]] =
+                p->within.share[v.b->id][n] * v.volume[local[0]] * fluid_share(s, &v, list->at[n]);
         }
     }
     if (s->cut) s->cut->spread_weights(s, g, weight);

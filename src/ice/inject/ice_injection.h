@@ -6,12 +6,11 @@
 #include "ice/state/ice_lists.h"
 #include "scene/mass_source.h"
 
-/* A region in which a fluid is concerned, with the share of each of its cells that lies in it. */
+/* A region in which a fluid is concerned. */
 typedef struct inject_place {
     const shape *region; /* not owned; its model may be NULL: everywhere */
     int material;        /* of s->material */
-    ice_cell_list cells[MESH_MAX_BLOCKS];
-    double *share[MESH_MAX_BLOCKS]; /* of each cell of the list; owned */
+    ice_region_cells within;
 } inject_place;
 
 typedef struct ice_injection {

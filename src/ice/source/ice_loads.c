@@ -12,7 +12,8 @@
 
 /* Cells of the regions of loads; of none that has not acted yet. */
 typedef struct ice_heated {
-    ice_cell_list cells[SCENE_MAX_LOADS][MESH_MAX_BLOCKS];
+    ice_region_cells of[SCENE_MAX_LOADS];
+    bool found[SCENE_MAX_LOADS];
 } ice_heated;
 
 static bool adds_heat(const scene_load *load)
@@ -27,7 +28,7 @@ floe_status ice_heated_create(ice *s)
 
 void ice_heated_destroy(context *ctx, ice_heated **w)
 {
-    for (int l = 0; *w && l < SCENE_MAX_LOADS; ++l) ice_lists_destroy(ctx, (*w)->cells[l]);
+    for (int l = 0; *w && l < SCENE_MAX_LOADS; ++l) ice_region_cells_destroy(ctx, &(*w)->of[l]);
     memory_free(ctx, w);
 }
 
@@ -38,15 +39,11 @@ bool ice_some_load_heats(const ice *s)
     return false;
 }
 
-/* Cells of a load's region: those of which some part lies inside, with its share. */
 static floe_status find_load_cells(ice *s, int l)
 {
-    ice_cell_list *list = s->heated->cells[l];
-    if (list[0].at) return FLOE_OK;
-    TRY(ice_lists_create(s, list));
-    for (int id = 0; id < s->mesh->n_blocks; ++id)
-        for (ice_walk c = ICE_FIRST; ice_next_cell(&s->mesh->block[id], &c);)
-            if (ice_region_share(s->mesh, &s->scene->load[l].region, c.cell) > 0.0) list[id].at[list[id].n++] = c.at;
+    if (s->heated->found[l]) return FLOE_OK;
+    TRY(ice_region_cells_create(s, &s->scene->load[l].region, &s->heated->of[l]));
+    s->heated->found[l] = true;
     return FLOE_OK;
 }
 
@@ -93,14 +90,14 @@ static void add_heat(ice *s, const ice_region *g, int l, int r, heat_function *h
 {
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
-        const ice_cell_list *list = &s->heated->cells[l][v.b->id];
+        const ice_cell_list *list = &s->heated->of[l].cells[v.b->id];
+        const double *share = s->heated->of[l].share[v.b->id];
         for (size_t n = 0; n < list->n; ++n) {
             const ptrdiff_t at = list->at[n];
             if (!(v.m[r].rho[at] > 0.0)) continue;
             int in[MESH_MAX_DIM], cell[MESH_MAX_DIM];
             find_indices(v.b, at, in, cell);
-            const double added = ice_region_share(s->mesh, &s->scene->load[l].region, cell) *
-                                 heat(&v, r, at, amount_at(s, l, cell, amount));
+            const double added = share[n] * heat(&v, r, at, amount_at(s, l, cell, amount));
             v.m[r].el[at] += added / v.m[r].rho[at];
             ice_tile(s, v.b, in[0], in[1], in[2])[TILE_SOURCE_ENERGY] +=
                 added * v.volume[in[0]] * open_share(&v.m[r], at);
@@ -124,12 +121,12 @@ static double pressure_slope(const ice_view *v, int r, ptrdiff_t at)
     return slope;
 }
 
-static void add_means(ice *s, const ice_view *v, int r, ptrdiff_t at, const shape *region)
+static void add_means(ice *s, const ice_view *v, int r, ptrdiff_t at, double share)
 {
-    int in[MESH_MAX_DIM], cell[MESH_MAX_DIM];
-    find_indices(v->b, at, in, cell);
+    int in[MESH_MAX_DIM];
+    ice_cell_of(v->b, at, in);
     const double fluid = v->volume[in[0]] * (v->multi ? v->m[r].theta[at] : open_share(&v->m[r], at)),
-                 weight = fluid > 0.0 ? fluid * ice_region_share(s->mesh, region, cell) : 0.0;
+                 weight = fluid > 0.0 ? fluid * share : 0.0;
     double *t = ice_tile(s, v->b, in[0], in[1], in[2]) + TILE_SCRATCH;
     if (!(weight > 0.0)) return;
     t[0] += weight;
@@ -142,8 +139,9 @@ static region_means means_of(ice *s, const ice_region *g, int l, int r)
     double sum[3];
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
-        const ice_cell_list *list = &s->heated->cells[l][v.b->id];
-        for (size_t n = 0; n < list->n; ++n) add_means(s, &v, r, list->at[n], &s->scene->load[l].region);
+        const ice_cell_list *list = &s->heated->of[l].cells[v.b->id];
+        const double *share = s->heated->of[l].share[v.b->id];
+        for (size_t n = 0; n < list->n; ++n) add_means(s, &v, r, list->at[n], share[n]);
     }
     ice_sum_scratch(s, sum);
     return (region_means){sum[1] / sum[0], sum[2] / sum[0]};
@@ -192,16 +190,16 @@ static void add_pressure(ice *s, const ice_region *g, int l, int r, double secon
 {
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
-        const ice_cell_list *list = &s->heated->cells[l][v.b->id];
+        const ice_cell_list *list = &s->heated->of[l].cells[v.b->id];
+        const double *share = s->heated->of[l].share[v.b->id];
         for (size_t n = 0; n < list->n; ++n) {
             const ptrdiff_t at = list->at[n];
             const ice_fluid *m = &v.m[r];
             int in[MESH_MAX_DIM], cell[MESH_MAX_DIM];
             if (!(m->rho[at] > 0.0)) continue;
             find_indices(v.b, at, in, cell);
-            const double share = ice_region_share(s->mesh, &s->scene->load[l].region, cell);
             const double volume = v.multi ? m->v[at] : 1.0 / m->rho[at],
-                         part = share * (v.multi ? m->kappa[at] / v.kappa_sum[at] : 1.0);
+                         part = share[n] * (v.multi ? m->kappa[at] / v.kappa_sum[at] : 1.0);
             v.dP[at] += ice_implicit_phi(&v, 0.5 * (1.0 + v.shock[at])) * part * volume * pressure_slope(&v, r, at) *
                         heat_by_power(&v, r, at, amount_at(s, l, cell, seconds));
         }

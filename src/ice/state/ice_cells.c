@@ -56,6 +56,31 @@ void ice_lists_destroy(context *ctx, ice_cell_list list[MESH_MAX_BLOCKS])
     for (int id = 0; id < MESH_MAX_BLOCKS; ++id) memory_free(ctx, &list[id].at);
 }
 
+floe_status ice_region_cells_create(ice *s, const shape *region, ice_region_cells *out)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const block *b = &s->mesh->block[id];
+        ice_cell_list *list = &out->cells[id];
+        size_t most = 0;
+        for (ice_walk c = ICE_FIRST; ice_next_cell(b, &c);) most += ice_region_share(s->mesh, region, c.cell) > 0.0;
+        TRY(memory_new(s->ctx, &list->at, most + 1, sizeof *list->at));
+        TRY(memory_new(s->ctx, &out->share[id], most + 1, sizeof *out->share[id]));
+        for (ice_walk c = ICE_FIRST; ice_next_cell(b, &c);) {
+            const double share = ice_region_share(s->mesh, region, c.cell);
+            if (!(share > 0.0)) continue;
+            out->share[id][list->n] = share;
+            list->at[list->n++] = c.at;
+        }
+    }
+    return FLOE_OK;
+}
+
+void ice_region_cells_destroy(context *ctx, ice_region_cells *c)
+{
+    ice_lists_destroy(ctx, c->cells);
+    for (int id = 0; id < MESH_MAX_BLOCKS; ++id) memory_free(ctx, &c->share[id]);
+}
+
 void ice_place_of(const ice *s, const block *b, const int cell[MESH_MAX_DIM], double x[MESH_MAX_DIM])
 {
     for (int a = 0; a < MESH_MAX_DIM; ++a) x[a] = a < b->dim ? mesh_centre(s->mesh, a, b->lo[a] + cell[a]) : 0.0;
