@@ -8,6 +8,12 @@
 bool scene_meets_domain(const scene *s, const shape *part);
 /* Whether a body reaches a side, to a cell. */
 bool body_reaches_side(const scene *s, const scene_body *b, int axis, int side);
+/* Whether a solid stands on a slip side from which it may part, so that gas comes between them (theory 7.2). Bodies that touch count as one, and what
+ * reaches the side across, too, slides along both. Not in a corner of two such sides, nor beside liquids and with the implicit pressure, which stall at thin
+ * films. */
+bool scene_can_leave_side(const scene *s, const scene_body *b, int axis, int side);
+/* Whether a body touches a side. */
+bool body_stands_on_side(const scene *s, const scene_body *b, int axis, int side);
 /* Whether a fluid that bears tension does: a body of it, or the ambient. */
 bool liquid_reaches_side(const scene *s, int axis, int side);
 /* 'x', or 'r' about an axis. */

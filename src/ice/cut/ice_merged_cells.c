@@ -12,6 +12,7 @@
 bool ice_encloses(const ice *s, int line, int region)
 {
     const int r = s->embedded.boundary[line].enclosed;
+    if (region < 0) return false; /* where nobody is */
     const ice_region *g = &s->region[region];
     return r >= g->first && r < g->first + g->n;
 }

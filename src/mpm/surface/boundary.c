@@ -15,7 +15,8 @@ static floe_status has_left(const mpm *s, int end)
     const surface_markers *k = &s->surfaces->markers;
     return fail(s->ctx, FLOE_DIVERGED,
                 "a solid has left the side of the domain at (%g, %g) by a cell, and a sharp interface lets no gas "
-                "between them: leave a whole cell between them at the start, or say symmetry where it is meant to stay",
+                "between them: leave a tenth of a cell between them at the start, or say symmetry where it is meant to "
+                "stay",
                 k->next[end].x[0], k->next[end].x[1]);
 }
 

@@ -8,9 +8,8 @@
 #include "geom/contour.h"
 #include "mpm/mpm.h"
 
-/* The surface of a solid body of the scene as a chain of markers, four a cell. To be freed by contour_free. */
-floe_status mpm_boundary_trace(const scene *s, const mesh *m, const scene_body *body, contour *out);
-/* Adds the part of it that bounds a fluid (by its number in the scene) to the boundary `out`; -1: all of it. */
+/* Adds the surface of a solid body of the scene to the boundary `out`, as it ends on sides of the mesh: the part that bounds a fluid (by its number in the
+ * scene); -1: all of it. */
 floe_status mpm_boundary_add(const scene *s, const mesh *m, const scene_body *body, int fluid, cut_surface *out);
 /* Positions without a fluid on cells: no fluid was given, inside a solid, or along a chain where two fluids meet. */
 typedef enum mpm_no_fluid { MPM_NO_FLUID = -1, MPM_IN_A_SOLID = -2, MPM_FLUIDS_MEET = -3 } mpm_no_fluid;

@@ -7,6 +7,7 @@
 #include "geom/facets.h"
 #include "math/tensor.h"
 #include "mpm/surface/boundary.h"
+#include "mpm/surface/standing.h"
 #include "mpm/surface/surfaces.h"
 #include "mpm/surface/traction.h"
 #include "mpm/surface/welded.h"
@@ -132,14 +133,18 @@ static floe_status add_contour(mpm *s, const mpm_body *b, const contour *o)
 
 /* ---- in space ---- */
 
-/* None for bodies whose surface another has, to which they are welded. */
-static floe_status make_facets(const scene *s, const mesh *m, const scene_body *body, facet_surface *out)
+/* None for bodies whose surface another has, to which they are welded. `closed`: also along sides that the body can leave. */
+static floe_status make_facets(const scene *s, const mesh *m, const scene_body *body, bool closed, facet_surface *out)
 {
     const seed_spec grid = body_seed_spec(s, m, body);
     welded w;
     *out = (facet_surface){.n = 0};
     floe_status status = welded_find(s, m, body, &w);
-    if (status == FLOE_OK && w.shape.model) status = facets_make(out, s->ctx, &w.shape, &grid, FACET_DIVISIONS);
+    if (status == FLOE_OK && w.shape.model) {
+        inset part;
+        const shape surface = closed ? standing_shape(s, m, body, &w.shape, &part) : w.shape;
+        status = facets_make(out, s->ctx, &surface, &grid, FACET_DIVISIONS);
+    }
     welded_free(s->ctx, &w);
     return status;
 }
@@ -254,10 +259,13 @@ static floe_status lay_facets(const scene *s, const mesh *m, const scene_body *b
 
 /* ---- of bodies ---- */
 
-floe_status mpm_boundary_trace(const scene *s, const mesh *m, const scene_body *body, contour *out)
+/* The same in the plane, four markers a cell. */
+static floe_status trace_contour(const scene *s, const mesh *m, const scene_body *body, bool closed, contour *out)
 {
     const seed_spec grid = body_seed_spec(s, m, body);
-    return contour_trace(out, s->ctx, &body->shape, &grid, CONTOUR_DIVISIONS);
+    inset part;
+    const shape surface = closed ? standing_shape(s, m, body, &body->shape, &part) : body->shape;
+    return contour_trace(out, s->ctx, &surface, &grid, CONTOUR_DIVISIONS);
 }
 
 static floe_status lay_chains(const scene *s, const mesh *m, const scene_body *body, const contour *o, int fluid,
@@ -281,13 +289,13 @@ floe_status mpm_boundary_add(const scene *s, const mesh *m, const scene_body *bo
 {
     if (m->dim == 3) {
         facet_surface f;
-        TRY(make_facets(s, m, body, &f));
+        TRY(make_facets(s, m, body, false, &f));
         const floe_status laid = lay_facets(s, m, body, &f, fluid, out);
         facets_free(s->ctx, &f);
         return laid;
     }
     contour o;
-    TRY(mpm_boundary_trace(s, m, body, &o));
+    TRY(trace_contour(s, m, body, false, &o));
     const floe_status status = lay_chains(s, m, body, &o, fluid, out);
     contour_free(s->ctx, &o);
     return status;
@@ -298,13 +306,13 @@ static floe_status seed_on_body(mpm *s, const mpm_body *b)
     const scene_body *body = &s->scene->body[b->scene_body];
     if (s->mesh->dim == 3) {
         facet_surface f;
-        TRY(make_facets(s->scene, s->mesh, body, &f));
+        TRY(make_facets(s->scene, s->mesh, body, true, &f));
         const floe_status status = add_facets(s, b, &f);
         facets_free(s->ctx, &f);
         return status;
     }
     contour o;
-    TRY(mpm_boundary_trace(s->scene, s->mesh, body, &o));
+    TRY(trace_contour(s->scene, s->mesh, body, true, &o));
     const floe_status status = add_contour(s, b, &o);
     contour_free(s->ctx, &o);
     return status;
