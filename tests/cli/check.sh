@@ -347,7 +347,7 @@ refused_table 'is no number' 't,p\n0,1 bar\n1,2\n'
 
 # Warnings have the place of what they are about, as errors have: of the key with which they begin, else of the body that they name.
 sed 's/lower: no_slip/lower: slip/' "$FLOE_SOURCE/inputs/foam_wall.yaml" >sides.yaml
-expect 0 "$FLOE" check sides.yaml
+expect 0 "$FLOE" check sides.yaml --set method.interface=smeared
 has stderr "warning: sides.yaml:$(grep -n '^  z:' sides.yaml | cut -d: -f1):14: boundaries.z.lower: body 'wall' lies within"
 expect 0 "$FLOE" check sides.yaml --set domain.cell=0.2
 has stderr "warning: sides.yaml:$(grep -n '^  wall:' sides.yaml | cut -d: -f1):3: bodies.wall: "
