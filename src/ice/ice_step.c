@@ -113,7 +113,8 @@ floe_status ice_exchange_stages(ice *s)
     STAGE(s, m, ice_exchange,
           READS(C_RHO, C_THETA, C_VOL, C_VEL, C_HEAT_OWED, WHEN(ice_some_pair_slips(s), C_WALL), C_TEMP, C_ENERGY,
                 C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L),
-                WHEN(r, C_RHO_L), WHEN(f, C_INTERFACE), WHEN(f, C_SHOCK), WHEN(f, C_KAPPA)),
+                WHEN(r, C_RHO_L), WHEN(f, C_INTERFACE), WHEN(f, C_SHOCK), WHEN(f, C_KAPPA), WHEN(f, C_PRESSURE),
+                WHEN(f, C_SOUND), WHEN(f, C_DP), WHEN(f, C_VEL_MEAN)),
           WRITES(C_VEL_L, C_ENERGY_L, C_HEAT_OWED, WHEN(p, C_VELOCITY_CHANGE), WHEN(s->heats_points, C_TEMP_CHANGE)));
     STAGE(s, m, ice_specific_volume,
           READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_KAPPA_SUM, C_DP, C_MIXED, WHEN(p, C_TMV_RATIO), WHEN(r, C_RHO_L),

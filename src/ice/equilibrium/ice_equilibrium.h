@@ -5,7 +5,8 @@
 #include "coupling/equilibrium.h"
 #include "ice/ice_constants.h"
 #include "ice/ice_view.h"
-#include "ice/state/ice_lists.h"
+
+struct ice_cell_list;
 
 /* Storage of regions of several materials; none without them. */
 floe_status ice_closure_create(ice *s);
@@ -13,7 +14,7 @@ void ice_closure_destroy(context *ctx, struct ice_closure **w);
 /* Gives cells that the closure of the current step has changed their state back. */
 void ice_rollback_closure(ice *s);
 /* Owned cells of a view with more than one material of its region. */
-const ice_cell_list *ice_mixed_cells(const ice *s, const ice_view *v);
+const struct ice_cell_list *ice_mixed_cells(const ice *s, const ice_view *v);
 /* Pressure of a region, and of several materials its volume fractions (theory 2.1). */
 floe_status ice_equilibrium_pressure_of(ice *s, const ice_region *g);
 

@@ -260,6 +260,7 @@ static int exchange_cell(ice *s, const ice_view *v, ptrdiff_t at, bool pair)
 {
     const ptrdiff_t i = v->dim > 1 ? at % v->b->stride[1] - MESH_GHOST : at - MESH_GHOST;
     if (!pair) exchange_momentum(s, v, at, v->volume[i]);
+    if (s->scene->method.conserve_energy) ice_share_shock(v, at);
     if (s->pairs->heat) exchange_heat(s, v, at);
     return v->owed[at] != 0.0;
 }

@@ -14,6 +14,9 @@ bool ice_some_pair_asks(const ice *s);
  * are exchanged in the same way. */
 void ice_exchange_faces(const ice *s, const ice_view *v, int axis, double *const *value);
 
+/* Moves heat that a shock has given the wrong fluid of a cell at an interface (ice_shock_heat.c). */
+void ice_share_shock(const ice_view *v, ptrdiff_t at);
+
 /* Reactions (ice_react.c). Errors: FLOE_BAD_INPUT for solids on points, FLOE_NO_MEMORY. */
 floe_status ice_reactions_create(ice *s);
 void ice_reactions_destroy(context *ctx, struct ice_reactions **w);
