@@ -77,6 +77,27 @@ static void fill_nodes(mpm *s, int body)
     }
 }
 
+/* Nodes where contact may join the group's motion to another's have no owner (edge_lines.c). */
+static void spare_met_nodes(mpm *s, int group)
+{
+    mpm_edges *e = s->edges;
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        const block *bl = &s->mesh->block[b];
+        int end[MESH_MAX_DIM];
+        edge_own_nodes(s->mesh, bl, end);
+        for (int g = 0; g < s->n_groups; ++g) {
+            const double *mass = field_get(s->domain->fields[b], N_MASS, g, 0);
+            for (int k = 0; g != group && k < end[2]; ++k)
+                for (int j = 0; j < end[1]; ++j)
+                    for (int i = 0; i < end[0]; ++i) {
+                        const int global[MESH_MAX_DIM] = {bl->lo[0] + i, bl->lo[1] + j, bl->lo[2] + k};
+                        int *owner = &e->owner[edge_number(e, global)];
+                        if (*owner >= 0 && edge_bears(s, mass, mesh_index(bl, i, j, k))) *owner = SHARED;
+                    }
+        }
+    }
+}
+
 /* What the solids of a group fill of every node, and whose it is: membranes come after them. */
 static void fill_group(mpm *s, int group)
 {
@@ -93,6 +114,7 @@ static void fill_group(mpm *s, int group)
         if (s->body[body].group == group && edge_body(s, body)) fill_nodes(s, body);
     for (int body = 0; body < s->n_bodies; ++body)
         if (s->body[body].group == group && s->body[body].membrane.model) fill_nodes(s, body);
+    if (edges_spare_met_nodes(s) && !e->starting) spare_met_nodes(s, group);
 }
 
 /* Whether a line leads from one surface of a body to another through what is outside: through a slot, or across a hole of

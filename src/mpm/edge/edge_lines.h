@@ -89,6 +89,7 @@ typedef struct edge_motion {
 typedef struct mpm_edges {
     double penalty; /* gamma */
     bool starting;  /* before masses are known */
+    bool spares;    /* in explicit steps lines have no nodes that bodies in contact share */
     edge_group group[MPM_MAX_GROUPS];
     /* History of the lines, for every group and node of the mesh, owned: first the differences (m) by axis of the line
      * and component; from the offsets below on, accelerations (m/s2) of the last step by component, 0 where no line is;
@@ -134,6 +135,12 @@ static inline void edge_own_nodes(const mesh *m, const block *b, int end[MESH_MA
 static inline bool edge_bears(const mpm *s, const double *mass, ptrdiff_t at)
 {
     return mass[at] > small_node(s);
+}
+
+/* Whether lines have no nodes that bodies in contact share. */
+static inline bool edges_spare_met_nodes(const mpm *s)
+{
+    return s->edges->spares && !mpm_is_solved(s);
 }
 
 /* Place, among lines by group, node and axis, of that along an axis from a node on. Those from the image of the first
