@@ -32,6 +32,7 @@ only_in '(sundials|nvector|sunlinsol|sunmatrix|sunnonlinsol|kinsol|cvode|arkode)
 only_in 'hdf5' io
 only_in '(libfyaml|udunits)' deck
 only_in 'jansson' base deck io batch plot study library cli
+only_in 'openssl/' base
 only_in 'argp' cli
 complain 'decks without a picture in docs/results/gallery.md (GALLERY_KEEP=1 scripts/results.sh gallery)' \
     "$(for deck in inputs/*.yaml; do

@@ -1,108 +1,31 @@
 #include "base/sha256.h"
 
+#include <openssl/crypto.h>
+#include <openssl/evp.h>
 #include <stdio.h>
-#include <string.h>
 
-/* First 32 bits of the fractional parts of the cube roots of the first 64 primes. */
-static const uint32_t round_constant[64] = {
-    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
-    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
-    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
-    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
-    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
-    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
-    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
-    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
-
-static uint32_t rotate_right(uint32_t x, int n)
+static bool digest_parts(EVP_MD_CTX *h, const sha256_part *part, size_t n, unsigned char digest[SHA256_SIZE])
 {
-    return (x >> n) | (x << (32 - n));
+    if (EVP_DigestInit_ex(h, EVP_sha256(), NULL) != 1) return false;
+    for (size_t k = 0; k < n; ++k)
+        if (EVP_DigestUpdate(h, part[k].data, part[k].size) != 1) return false;
+    return EVP_DigestFinal_ex(h, digest, NULL) == 1;
 }
 
-static void expand_message(uint32_t w[64], const unsigned char *block)
+floe_status sha256_of_parts(context *ctx, const sha256_part *part, size_t n, unsigned char digest[SHA256_SIZE])
 {
-    for (int i = 0; i < 16; i++) {
-        w[i] = (uint32_t)block[4 * i] << 24 | (uint32_t)block[4 * i + 1] << 16 | (uint32_t)block[4 * i + 2] << 8 |
-               (uint32_t)block[4 * i + 3];
-    }
-    for (int i = 16; i < 64; i++) {
-        const uint32_t s0 = rotate_right(w[i - 15], 7) ^ rotate_right(w[i - 15], 18) ^ (w[i - 15] >> 3);
-        const uint32_t s1 = rotate_right(w[i - 2], 17) ^ rotate_right(w[i - 2], 19) ^ (w[i - 2] >> 10);
-        w[i] = w[i - 16] + s0 + w[i - 7] + s1;
-    }
+    OPENSSL_init_crypto(OPENSSL_INIT_NO_LOAD_CONFIG, NULL); /* its settings are not for a checksum */
+    EVP_MD_CTX *h = EVP_MD_CTX_new();
+    const bool done = h && digest_parts(h, part, n, digest);
+    EVP_MD_CTX_free(h);
+    return done ? FLOE_OK : fail(ctx, FLOE_NO_MEMORY, "no memory for a checksum");
 }
 
-static void compress_block(uint32_t state[8], const unsigned char *block)
+floe_status sha256_of(context *ctx, const void *data, size_t size, char hex[SHA256_TEXT])
 {
-    uint32_t w[64];
-    expand_message(w, block);
-    uint32_t a = state[0], b = state[1], c = state[2], d = state[3];
-    uint32_t e = state[4], f = state[5], g = state[6], h = state[7];
-    for (int i = 0; i < 64; i++) {
-        const uint32_t s1 = rotate_right(e, 6) ^ rotate_right(e, 11) ^ rotate_right(e, 25);
-        const uint32_t t1 = h + s1 + ((e & f) ^ (~e & g)) + round_constant[i] + w[i];
-        const uint32_t s0 = rotate_right(a, 2) ^ rotate_right(a, 13) ^ rotate_right(a, 22);
-        const uint32_t t2 = s0 + ((a & b) ^ (a & c) ^ (b & c));
-        h = g, g = f, f = e, e = d + t1;
-        d = c, c = b, b = a, a = t1 + t2;
-    }
-    state[0] += a, state[1] += b, state[2] += c, state[3] += d;
-    state[4] += e, state[5] += f, state[6] += g, state[7] += h;
-}
-
-void sha256_begin(sha256 *h)
-{
-    *h = (sha256){
-        .state = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19}};
-}
-
-void sha256_add(sha256 *h, const void *data, size_t size)
-{
-    const unsigned char *byte = data;
-    h->length += size;
-    while (size > 0) {
-        if (h->filled == 0 && size >= sizeof h->block) {
-            compress_block(h->state, byte);
-            byte += sizeof h->block;
-            size -= sizeof h->block;
-            continue;
-        }
-        const size_t reserved = sizeof h->block - h->filled;
-        const size_t n = size < reserved ? size : reserved;
-        memcpy(h->block + h->filled, byte, n);
-        h->filled += n;
-        byte += n;
-        size -= n;
-        if (h->filled == sizeof h->block) {
-            compress_block(h->state, h->block);
-            h->filled = 0;
-        }
-    }
-}
-
-void sha256_end(sha256 *h, unsigned char digest[SHA256_SIZE])
-{
-    static const unsigned char padding[64] = {0x80};
-    const uint64_t bits = h->length * 8;
-    unsigned char length[8];
-    for (int i = 0; i < 8; i++) length[i] = (unsigned char)(bits >> (56 - 8 * i));
-    const size_t pad = h->filled < 56 ? 56 - h->filled : 120 - h->filled;
-    sha256_add(h, padding, pad);
-    sha256_add(h, length, sizeof length);
-    for (int i = 0; i < 32; i++) digest[i] = (unsigned char)(h->state[i / 4] >> (24 - 8 * (i % 4)));
-}
-
-void sha256_of(const void *data, size_t size, char hex[SHA256_TEXT])
-{
-    sha256 h;
     unsigned char digest[SHA256_SIZE];
-    sha256_begin(&h);
-    sha256_add(&h, data, size);
-    sha256_end(&h, digest);
+    hex[0] = '\0';
+    TRY(sha256_of_parts(ctx, &(sha256_part){data, size}, 1, digest));
     for (int i = 0; i < SHA256_SIZE; i++) (void)snprintf(hex + 2 * (size_t)i, 3, "%02x", digest[i]);
-}
-
-void sha256_of_text(const char *text, char hex[SHA256_TEXT])
-{
-    sha256_of(text, strlen(text), hex);
+    return FLOE_OK;
 }

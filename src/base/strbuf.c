@@ -16,6 +16,11 @@ void strbuf_free(strbuf *t)
     strbuf_init(t, t->ctx);
 }
 
+void strbuf_note(strbuf *t, floe_status status)
+{
+    if (t->status == FLOE_OK) t->status = status;
+}
+
 static bool reserve_bytes(strbuf *t, size_t more)
 {
     if (t->status != FLOE_OK) return false;

@@ -15,6 +15,8 @@ typedef struct strbuf {
 /* An empty text. */
 void strbuf_init(strbuf *t, context *ctx);
 void strbuf_free(strbuf *t);
+/* Takes note of a failure of what goes into it, as of its own. */
+void strbuf_note(strbuf *t, floe_status status);
 void strbuf_append(strbuf *t, const char *format, ...) FLOE_PRINTF(2, 3);
 /* `length` bytes as they are. */
 void strbuf_append_bytes(strbuf *t, const char *bytes, size_t length);

@@ -29,9 +29,9 @@ static floe_status hash_deck(const scene *s, const deck_catalogue *catalogue, ch
     const floe_status status = deck_echo(&text, plain, catalogue);
     memory_free(s->ctx, &plain);
     TRY(status);
-    sha256_of_text(text, hash);
+    const floe_status hashed = sha256_of(s->ctx, text, strlen(text), hash);
     memory_free(s->ctx, &text);
-    return FLOE_OK;
+    return hashed;
 }
 
 static floe_status load_case_scene(context *ctx, const batch_options *o, const batch_case *one,

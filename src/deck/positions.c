@@ -45,7 +45,7 @@ static floe_status read_places(reader *r, const key_spec *key, deck_node *node, 
 static void write_digest(writer *w, const curve_line *c)
 {
     char digest[SHA256_TEXT];
-    sha256_of(c->vertex, 3 * (size_t)c->n_vertices * sizeof *c->vertex, digest);
+    strbuf_note(&w->out, sha256_of(w->out.ctx, c->vertex, 3 * (size_t)c->n_vertices * sizeof *c->vertex, digest));
     strbuf_append(&w->out, " # %d places, sha256 %s\n", c->n_vertices, digest);
 }
 

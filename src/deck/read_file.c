@@ -48,8 +48,7 @@ static floe_status read_content(reader *r, deck_node *node, int descriptor, para
             return bad(r, node, file_form, "cannot read '%s': %s", file->path, strerror(errno));
     }
     file->bytes = bytes;
-    sha256_of(bytes, file->size, file->digest);
-    return FLOE_OK;
+    return sha256_of(r->ctx, bytes, file->size, file->digest);
 }
 
 floe_status read_file_key(reader *r, const key_spec *key, deck_node *node, void *base)

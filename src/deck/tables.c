@@ -99,8 +99,8 @@ static void write_table_file(writer *w, const key_spec *key, const void *base)
     const scene_table *t = base;
     char at[SHA256_TEXT], value[SHA256_TEXT];
     if (!t->path) return;
-    sha256_of(t->at, t->n * sizeof *t->at, at);
-    sha256_of(t->value, t->n * sizeof *t->value, value);
+    strbuf_note(&w->out, sha256_of(w->out.ctx, t->at, t->n * sizeof *t->at, at));
+    strbuf_note(&w->out, sha256_of(w->out.ctx, t->value, t->n * sizeof *t->value, value));
     write_key_name(w, key->key);
     strbuf_append(&w->out, " ");
     write_quoted(&w->out, t->path);

@@ -38,13 +38,11 @@ static uint64_t get_header_number(const unsigned char *at, int bytes)
     return value;
 }
 
-static void seal_image(const unsigned char *header, const void *image, size_t size, unsigned char digest[SHA256_SIZE])
+static floe_status seal_image(context *ctx, const unsigned char *header, const void *image, size_t size,
+                              unsigned char digest[SHA256_SIZE])
 {
-    sha256 h;
-    sha256_begin(&h);
-    sha256_add(&h, header, DIGEST_AT);
-    sha256_add(&h, image, size);
-    sha256_end(&h, digest);
+    const sha256_part part[] = {{header, DIGEST_AT}, {image, size}};
+    return sha256_of_parts(ctx, part, 2, digest);
 }
 
 floe_status sealed_write(context *ctx, const char *path, const char *kept, sealed_kind kind, uint32_t format,
@@ -57,7 +55,7 @@ floe_status sealed_write(context *ctx, const char *path, const char *kept, seale
     put_number(header + FORMAT_AT, format, 4);
     put_number(header + LENGTH_AT, size, 8);
     memcpy(header + VERSION_AT, FLOE_VERSION, sizeof FLOE_VERSION);
-    seal_image(header, image, size, header + DIGEST_AT);
+    TRY(seal_image(ctx, header, image, size, header + DIGEST_AT));
     const file_part part[] = {{header, sizeof header}, {image, size}};
     return file_replace_keeping(ctx, path, kept, part, 2);
 }
@@ -77,7 +75,7 @@ static floe_status check_seal(context *ctx, const char *path, const unsigned cha
         return fail(ctx, FLOE_IO, "'%s' is %s: its header says that %" PRIu64 " bytes follow, but %zu do", path,
                     length > size - SEALED_HEADER ? "cut short" : "too long", length, size - SEALED_HEADER);
     }
-    seal_image(data, data + SEALED_HEADER, size - SEALED_HEADER, digest);
+    TRY(seal_image(ctx, data, data + SEALED_HEADER, size - SEALED_HEADER, digest));
     if (memcmp(digest, data + DIGEST_AT, SHA256_SIZE) != 0) {
         return fail(ctx, FLOE_IO, "'%s' is damaged: its checksum does not fit its content", path);
     }

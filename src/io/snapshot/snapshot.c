@@ -126,8 +126,8 @@ floe_status snapshot_open(snapshot_series **out, context *ctx, const char *dir, 
     series->ctx = ctx;
     series->last_time = -INFINITY;
     strbuf_init(&series->times, ctx);
-    sha256_of_text(deck, series->deck_sha256);
-    const floe_status status = resume_series(series, dir, keep_until);
+    floe_status status = sha256_of(ctx, deck, strlen(deck), series->deck_sha256);
+    if (status == FLOE_OK) status = resume_series(series, dir, keep_until);
     if (status != FLOE_OK) snapshot_close(&series);
     *out = series;
     return status;
