@@ -91,6 +91,8 @@ typedef struct donors {
     double *out[3][2 * (ADVECT_Q + 1)]; /* by axis: M, g, then N and H of each q */
     double *const *M, *const *g, *const *y, *fill, *rarest, *leans;
     double drift[3], lo, hi, beyond;
+    double
+        least_common; /* of several: their common factor is kept up to this; a reaction has changed the masses that it was made of */
 } donors;
 
 FLOE_ALWAYS_INLINE donors advection_donors(const ice_advect_buffers *w, const ice_view *v, int r, int slab,
@@ -112,7 +114,8 @@ FLOE_ALWAYS_INLINE donors advection_donors(const ice_advect_buffers *w, const ic
                 .leans = w->leans,
                 .lo = v->limit_lo,
                 .hi = v->limit_hi,
-                .beyond = v->limit_beyond};
+                .beyond = v->limit_beyond,
+                .least_common = m->rhol ? 0.0 : 1.0};
     if (multi) {
         d.kappa = v->kappa_sum + start;
         d.common = v->limiter + start;
@@ -142,7 +145,8 @@ FLOE_ALWAYS_INLINE void donate_mass(const donors *d, ptrdiff_t t, const int dim,
 {
     const double mass = d->rho.at[t];
     slope s = slope_of(&d->rho, t, dim);
-    const double f = multi ? d->common[t] : limited_factor(s.margin, s.reach, d->lo, d->hi * (1.0 + d->contact[t]));
+    const double f = multi ? least(d->common[t], most(mass / (s.reach + ICE_TINY), d->least_common))
+                           : limited_factor(s.margin, s.reach, d->lo, d->hi * (1.0 + d->contact[t]));
     const double dilatation = multi ? -d->dP[t] * d->kappa[t] : -d->dP[t] / (mass * d->c[t] * d->c[t]);
     const double thin = 1.0 - 0.5 * d->hi * (1.0 - d->shock[t]) * dilatation;
     double fill = least(most(thin, ICE_LEAST_SLAB), ICE_MOST_SLAB);
