@@ -92,7 +92,7 @@ typedef struct donors {
     double *const *M, *const *g, *const *y, *fill, *rarest, *leans;
     double drift[3], lo, hi, beyond;
     double
-        least_common; /* of several: their common factor is kept up to this; a reaction has changed the masses that it was made of */
+        least_common; /* of several: their common factor is kept up to this; a reaction of fluids has changed the masses that it was made of */
 } donors;
 
 FLOE_ALWAYS_INLINE donors advection_donors(const ice_advect_buffers *w, const ice_view *v, int r, int slab,
@@ -115,7 +115,7 @@ FLOE_ALWAYS_INLINE donors advection_donors(const ice_advect_buffers *w, const ic
                 .lo = v->limit_lo,
                 .hi = v->limit_hi,
                 .beyond = v->limit_beyond,
-                .least_common = m->rhol ? 0.0 : 1.0};
+                .least_common = m->rhol && !v->burns ? 0.0 : 1.0};
     if (multi) {
         d.kappa = v->kappa_sum + start;
         d.common = v->limiter + start;
