@@ -16,6 +16,7 @@ refused 'lies outside the domain' bodies.skin.membrane.surface='{sphere: {centre
 refused "'curve' belongs to membranes without a 'surface'" bodies.skin.membrane.curve='{circle: {centre: [0, 0, 0], radius: 0.5}}'
 refused 'of which there is no body' materials.other='{eos: {ideal: {gamma: 1.4, specific_heat: 1}}}' bodies.skin.membrane.encloses=other
 refused 'has its density by its own volume' method.point_density=cell
+refused "'skin' is a membrane, which has no shape" 'loads={p: {traction: {body: skin, surface: {ball: {radius: 0.5}}, pressure: 1}}}' # crashed
 refused 'whose volume across periodic sides is not known' boundaries.z=periodic
 expect 2 "$FLOE" check "$FLOE_SOURCE/inputs/membrane_circle.yaml" --set bodies.skin.membrane.surface='{sphere: {centre: [0, 0], radius: 0.5}}'
 has stderr "'surface' belongs to scenes in 3-D"

@@ -180,6 +180,12 @@ static floe_status check_load(reader *r, const scene_load *load)
         TRY(bad_at(r, KEY("loads", load->name, kind, "body"), "the name of a solid body", NULL,
                    "'%s' is a fluid: a traction acts on solids", s->body[load->body].name));
     }
+    if (load->kind == LOAD_TRACTION && body_material >= 0 && s->material[body_material].membrane) {
+        TRY(bad_at(r, KEY("loads", load->name, kind, "body"), "the name of a solid body",
+                   "membranes: gas on one side (membrane.encloses), or a body_force",
+                   "'%s' is a membrane, which has no shape: a traction acts on the surface of a shape",
+                   s->body[load->body].name));
+    }
     if (load->ramp > 0.0 && load->ramp_steps > 0) {
         TRY(bad_at(r, KEY("loads", load->name, kind, "ramp_steps"), "one of ramp and ramp_steps", NULL,
                    "the ramp is given as a time and as a number of steps"));
