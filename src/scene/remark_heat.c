@@ -47,6 +47,31 @@ static void remark_no_expansion(remark_speaker *w, const scene_material *m)
     remark_key(w, "solid '%s' has no `expansion`: its temperature strains nothing", m->name);
 }
 
+static bool conducts_in_contact(const scene *s, int body)
+{
+    const scene_material *m = &s->material[s->body[body].material];
+    return remark_is_solid(m) && m->conductivity > 0.0 && scene_in_contact(s, body);
+}
+
+/* Bodies in contact have velocity fields of their own, and heat passes within one (theory 12.3). */
+static void remark_parted(remark_speaker *w)
+{
+    const scene *s = w->s;
+    const scene_body *first = NULL;
+    for (int b = 0; b < s->n_bodies && s->coupling != COUPLING_ICE; ++b) {
+        if (!conducts_in_contact(s, b)) continue;
+        if (first) {
+            remark_set_key(w, "contact", "between", "");
+            remark_key(w,
+                       "bodies '%s' and '%s' conduct heat, but none passes from one to the other where they are in "
+                       "contact, and their friction heats neither. Leave `contact` out where they stay joined",
+                       first->name, s->body[b].name);
+            return;
+        }
+        first = &s->body[b];
+    }
+}
+
 void remark_heat(const scene *s, remark_sink *say, void *user)
 {
     remark_speaker w = {.s = s, .say = say, .user = user};
@@ -59,4 +84,5 @@ void remark_heat(const scene *s, remark_sink *say, void *user)
         remark_no_plastic_work(&w, &s->material[m]);
         remark_no_expansion(&w, &s->material[m]);
     }
+    remark_parted(&w);
 }

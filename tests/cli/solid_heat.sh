@@ -37,6 +37,13 @@ expect 0 "$FLOE" check bar.yaml "${gas[@]}" --set method.heat_exchange=1
 grep -q 'smeared, as method.heat_exchange' stderr || fault "no word of the smeared interface: $(cat stderr)"
 ! grep -q 'its surface is insulated' stderr || fault 'a solid with heat exchange is said to be insulated'
 
+# Bodies in contact exchange no heat, which is said; joined ones do.
+two=(--set 'bodies.other={material: solid, shape: {box: {lower: [2], upper: [3]}}}' --set 'domain={dim: 1, lower: [0], upper: [3], cell: 0.1}')
+expect 0 "$FLOE" check bar.yaml "${two[@]}" --set 'contact={}'
+grep -q "'bar' and 'other' conduct heat, but none passes" stderr || fault "no word of contact without heat: $(cat stderr)"
+expect 0 "$FLOE" check bar.yaml "${two[@]}"
+! grep -q 'none passes' stderr || fault 'bodies without contact are said to exchange no heat'
+
 # A run that was stopped and resumed has the bits of one that was not.
 fine=(bar.yaml --set domain.cell=0.01)
 expect 0 "$FLOE" run "${fine[@]}" -o whole --quiet
