@@ -40,6 +40,9 @@ void remark_sources(const scene *s, remark_sink *say, void *user);
 /* Of heat that solids neither get nor give. */
 void remark_heat(const scene *s, remark_sink *say, void *user);
 
+/* Of solids that stick to bodies which do not deform. */
+void remark_joints(const scene *s, remark_sink *say, void *user);
+
 /* Of magnitudes and times that are hardly what was meant. */
 void remark_range(const scene *s, remark_sink *say, void *user);
 /* Of gases beside other gases, of what is behind sides, and of ramps. */
