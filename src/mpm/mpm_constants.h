@@ -86,6 +86,8 @@
 #define MPM_CONTACT_STEP_IN_SPACE 0.28
 /* Gaps of less than this share of a cell are closed: round-off. */
 #define MPM_CLOSED_GAP 1e-6
+/* The same for bodies that stick: the gap of their points opens as they are pulled. A bar drawn at 1.4e-3 of its speed of sound by what it stuck to was let go. */
+#define MPM_TIED_GAP 0.25
 
 /* ---- edges of solids (theory 4.10) ---- */
 

@@ -33,7 +33,8 @@ static void remark_stiff_end(remark_speaker *w, int body)
     for (int r = 0; r < s->n_bodies; ++r) {
         const scene_body *rigid = &s->body[r];
         if (!is_solid_body(s, rigid) || !motion_is_given(&rigid->motion) || !boxes_meet(s, b, rigid)) continue;
-        if (scene_in_contact(s, body) && scene_in_contact(s, r)) continue;
+        const bool parts = s->contact.kind != CONTACT_STICK;
+        if (parts && scene_in_contact(s, body) && scene_in_contact(s, r)) continue;
         remark_set_key(w, "bodies", b->name, "");
         remark_key(
             w,

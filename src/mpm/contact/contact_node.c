@@ -142,6 +142,12 @@ bool contact_has_met(const contact_node *node, const contact_meeting *m)
     return m->gap <= MPM_CLOSED_GAP * node->h;
 }
 
+/* Bodies that stick go on sticking where a pull opens the gap between their points a little. */
+static bool holds(const scene_contact *rule, const contact_node *node, const contact_meeting *m)
+{
+    return m->named && rule->kind == CONTACT_STICK && m->gap <= MPM_TIED_GAP * node->h;
+}
+
 /* Pairs that are in contact now. */
 static int find_pairs(const scene_contact *rule, const contact_node *node, pair *list)
 {
@@ -152,7 +158,7 @@ static int find_pairs(const scene_contact *rule, const contact_node *node, pair 
     for (int k = 0; k < meetings; ++k) {
         const contact_meeting *m = &meeting[k];
         const bool ruled = m->named && rule->kind != CONTACT_STICK;
-        if (!contact_has_met(node, m)) continue;
+        if (!contact_has_met(node, m) && !holds(rule, node, m)) continue;
         const pair p = make_pair(node, m->a, m->b, ruled && rule->kind == CONTACT_FRICTION ? BOND_PUSH : BOND_ALL);
         if (!ruled || bodies_approach(rule, node, &p, mean.v)) list[n++] = p;
     }
