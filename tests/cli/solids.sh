@@ -125,6 +125,15 @@ run drawn.yaml method.basis=gimp 'contact={kind: stick}' \
 below "$(stress)" 1.002 # measured 0.9993; 0.0002
 below 0.998 "$(stress)"
 
+# In space a block in contact with what it lies on, beside a sharp interface, may be thrown up: said, and not where it is smeared.
+gas=(--set coupling=ice-mpm --set materials.rubber.specific_heat=1000 --set materials.other='{density: 1000, specific_heat: 1000, law: {linear_elastic: {bulk_modulus: 1e6, shear_modulus: 0.5e6}}}'
+    --set bodies.block.material=other --set materials.air='{eos: {ideal: {gamma: 1.4, specific_heat: 700}}}' --set ambient='{material: air, pressure: 1000, temperature: 300}'
+    --set reference_pressure=1000 --set boundaries=symmetry --set bodies.base.shape.box.upper='[0.7, 0.23, 0.4]' --set bodies.block.shape.box.lower='[0.2, 0.23, 0.125]')
+expect 0 "$FLOE" check rest_in_space.yaml "${gas[@]}"
+has stderr "body 'block' lies on body 'base' at the start, in contact and beside a sharp interface in space"
+expect 0 "$FLOE" check rest_in_space.yaml "${gas[@]}" --set method.interface=smeared
+if grep -q 'lies on body' stderr; then fault 'bodies beside a smeared interface are said to be thrown apart'; fi
+
 # Static balance beyond yield: the matrix knows that lines of edges yield (theory 9.1). Half of a cylinder is plastic, K/G = 8; Hill's solution, outer radius
 # 4.4839e-4 larger. Before, the eight increments were cut until they ended at 1e-8 by bits of 4e-3.
 run "$FLOE_SOURCE/inputs/defaults/e7_cylinder.yaml" time.solver=static damping=null 'time.end=1' time.increments=8 verify=null \
