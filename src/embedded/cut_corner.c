@@ -1,6 +1,7 @@
 /* Corners of solids at nodes of the mesh (theory 7.2). A surface that lies on faces of the mesh belongs to the cells of one side of them, which may be those
  * that the solid fills. Such a cell has no volume, and open faces behind its pieces. Around a corner it has two, to different neighbours, and fluid would
- * pass from one to the other through it. There each piece goes to the cell in front of it, and the face between them is closed. */
+ * pass from one to the other through it. There each piece goes to the cell in front of it, and the face between them is closed. The same where a body ends
+ * within such a cell: it would have the pressure behind the body's end, half way along the side, and let fluid in where the body lies on its face. */
 #include "embedded/cut_internal.h"
 
 #include "base/memory.h"
@@ -9,12 +10,14 @@
 
 /* Of a cell: how far from its side a piece on the side may be. */
 static const double on_side = 1e-9;
+/* A cell that is open by less is one that the solid fills and that its surface is about to enter or to leave: it stays as it is. */
+static const double hardly_open = 1e-3;
 
 static bool is_corner(const cut_surface *c, const cut_cell *k)
 {
     int n = 0;
     for (int f = 0; f < 2 * c->mesh->dim; ++f) n += k->face[f / 2][f % 2] > 0.0;
-    return k->open == 0.0 && !k->overlap && n > 1;
+    return !k->overlap && (k->open > hardly_open ? n > 0 : k->open == 0.0 && n > 1);
 }
 
 /* The face of its cell in which a piece lies, and the share of it that it covers; false: in none. */
@@ -48,6 +51,7 @@ static floe_status free_piece(cut_surface *c, int piece, cut_finisher *finish)
     int axis, side, at;
     double share;
     if (!face_of(c, &c->piece[piece], k, &axis, &side, &share)) return FLOE_OK;
+    if (k->open > 0.0 && !(share > hardly_open)) return FLOE_OK; /* round-off of a line that touches the side */
     int cell[3] = {k->cell[0], k->cell[1], k->cell[2]};
     cell[axis] += side == SIDE_UPPER ? 1 : -1;
     if (cell[axis] < 0 || cell[axis] >= c->mesh->n[axis]) return FLOE_OK;

@@ -444,43 +444,12 @@ static void test_overlap(void **unused)
     end_plane(ctx, &c);
 }
 
-/* A block on faces of the mesh: no cell without volume is a passage around its corners, and all cells close. */
-static void test_corner(void **unused)
-{
-    (void)unused;
-    mesh m;
-    cut_surface c;
-    context *ctx = begin_plane(&m, &c, 0.0625);
-    static const double corner[4][2] = {{0.25, 0.25}, {0.25, 0.75}, {0.5, 0.75}, {0.5, 0.25}};
-    c.overlap = 0.25;
-    check_ok(ctx, cut_reserve(&c, 4, 1));
-    c.chain[0] = (cut_chain){0, 4, true, 0};
-    for (int k = 0; k < 4; ++k) c.vertex[k] = (cut_vertex){{corner[k][0], corner[k][1]}, k, 0};
-    check_ok(ctx, cut_find(&c));
-    check_closed(&c);
-    check_close(enclosed_volume(&c), 1.0 - 0.125, 1e-14);
-    for (int k = 0; k < c.n_cells; ++k) {
-        int open = 0;
-        for (int f = 0; f < 4; ++f) open += c.cell[k].face[f / 2][f % 2] > 0.0;
-        check_true(c.cell[k].open > 0.0 || open < 2);
-    }
-    for (int j = 0; j < m.n[1]; ++j)
-        for (int i = 0; i + 1 < m.n[0]; ++i)
-            for (int a = 0; a < 2; ++a) {
-                const int next[3] = {i + (a == 0), j + (a == 1)};
-                if (next[1] < m.n[1])
-                    check_close(cut_face(&c, (const int[]){i, j, 0}, a, SIDE_UPPER), cut_face(&c, next, a, SIDE_LOWER),
-                                0.0);
-            }
-    end_plane(ctx, &c);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_corner),         cmocka_unit_test(test_quarter),    cmocka_unit_test(test_closed),
-        cmocka_unit_test(test_on_the_mesh),    cmocka_unit_test(test_two_chains), cmocka_unit_test(test_thin),
-        cmocka_unit_test(test_enclosed_twice), cmocka_unit_test(test_refused),    cmocka_unit_test(test_off_the_mesh),
-        cmocka_unit_test(test_storage),        cmocka_unit_test(test_edge),       cmocka_unit_test(test_overlap)};
+        cmocka_unit_test(test_quarter),    cmocka_unit_test(test_closed),       cmocka_unit_test(test_on_the_mesh),
+        cmocka_unit_test(test_two_chains), cmocka_unit_test(test_thin),         cmocka_unit_test(test_enclosed_twice),
+        cmocka_unit_test(test_refused),    cmocka_unit_test(test_off_the_mesh), cmocka_unit_test(test_storage),
+        cmocka_unit_test(test_edge),       cmocka_unit_test(test_overlap)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
