@@ -25,7 +25,7 @@ mv stdout block.yaml
 for coupling in mpm ice-mpm; do
     expect 0 "$FLOE" run block.yaml --coupling "$coupling" --set domain.cell=0.025 -o "$coupling"
     if grep -q 'does not read' stderr; then fault 'a key of the starter is not read'; fi
-    near "$(value "$coupling" mass_air)" 0.63548780487804873 1e-9
+    near "$(value "$coupling" mass_air)" 0.63548780487804873 2e-8 # a film of a millionth of a cell is beneath the block
 done
 [ "$(json mpm/summary.json points_lost)" = 0 ] || fault 'points are lost'
 near "$(awk -v a="$(value mpm centre_block_x last)" 'BEGIN { print a - 0.5 }')" \

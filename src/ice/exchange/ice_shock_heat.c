@@ -13,22 +13,32 @@
 
 enum { ASIDE = 2, AROUND = 2 * ASIDE * MESH_MAX_DIM, SOLVES = 20 };
 
-/* A cell that one fluid fills for the most part. */
+/* A cell that one fluid fills. */
 typedef struct side {
     ptrdiff_t at;
     int fluid, axis, cells; /* along the axis, with a sign */
 } side;
 
-/* The cells about, no more than two away along the axes, that have a fluid each. Returns how many. */
+/* The fluid that fills a cell; -1: it is shared. */
+static int fluid_that_fills(const ice_view *v, ptrdiff_t at)
+{
+    for (int r = 0; r < v->n_materials; ++r)
+        if (v->m[r].theta[at] > ICE_SHARED_FILLED) return r;
+    return -1;
+}
+
+/* The cells about a shared one, no more than two away along the axes, that have a fluid each, the nearest first: of equal ones these count, here as
+ * in the mirror image. Returns how many. */
 static int find_sides(const ice_view *v, ptrdiff_t at, side *found)
 {
     int n = 0;
-    for (int a = 0; a < v->dim; ++a)
-        for (int k = -ASIDE; k <= ASIDE; ++k)
-            for (int r = 0; k != 0 && r < v->n_materials; ++r) {
-                const ptrdiff_t beside = at + k * v->b->stride[a];
-                if (v->m[r].theta[beside] > ICE_INTERFACE_RANGE) found[n++] = (side){beside, r, a, k};
-            }
+    for (int k = 1; k <= ASIDE; ++k)
+        for (int f = 0; f < 2 * v->dim; ++f) {
+            const int cells = f % 2 == SIDE_UPPER ? k : -k;
+            const ptrdiff_t beside = at + cells * v->b->stride[f / 2];
+            const int r = fluid_that_fills(v, beside);
+            if (r >= 0) found[n++] = (side){beside, r, f / 2, cells};
+        }
     return n;
 }
 
@@ -119,6 +129,7 @@ void ice_share_shock(const ice_view *v, ptrdiff_t at)
     side found[AROUND];
     double p, alike = 0.0, excess[ICE_MAX_MATERIALS], over = 0.0, under = 0.0;
     if (!v->interface || !(v->shock[at] * v->interface[at] > 0.0) || ice_holds_points(v, at)) return;
+    if (fluid_that_fills(v, at) >= 0) return;
     const int n = find_sides(v, at, found);
     if (n == 0 || !shock_pressure(v, found, n, &p, &alike)) return;
     for (int r = 0; r < v->n_materials; ++r) {
