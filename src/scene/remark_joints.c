@@ -3,20 +3,19 @@
 
 #include "geom/bounds.h"
 #include "scene/scene_motion.h"
+#include "scene/scene_reach.h"
 
-#include <math.h>
 #include <string.h>
 
-/* Whether the boxes about two bodies meet, to a hundredth of a cell. */
+static bool is_bounded(const scene *s, const scene_body *b)
+{
+    double lo[3], hi[3];
+    return shape_bounds(&b->shape, s->mesh.dim, lo, hi);
+}
+
 static bool boxes_meet(const scene *s, const scene_body *a, const scene_body *b)
 {
-    static const double share = 0.01;
-    double lo[2][3] = {{0}}, hi[2][3] = {{0}};
-    if (!shape_bounds(&a->shape, s->mesh.dim, lo[0], hi[0]) || !shape_bounds(&b->shape, s->mesh.dim, lo[1], hi[1]))
-        return false;
-    for (int k = 0; k < s->mesh.dim; ++k)
-        if (fmax(lo[0][k], lo[1][k]) > fmin(hi[0][k], hi[1][k]) + share * s->mesh.cell[k]) return false;
-    return true;
+    return is_bounded(s, a) && is_bounded(s, b) && bodies_meet(s, a, b, 0.01);
 }
 
 static bool is_solid_body(const scene *s, const scene_body *b)
@@ -46,7 +45,7 @@ static void remark_stiff_end(remark_speaker *w, int body)
     }
 }
 
-/* In space, pockets of gas that open between two surfaces in one place may be slivers whose pressure throws the bodies apart. */
+/* In space, pockets of gas that open between two surfaces in one place may be small cut cells whose pressure throws the bodies apart. */
 static void remark_pockets(remark_speaker *w, int body)
 {
     const scene *s = w->s;
@@ -54,13 +53,13 @@ static void remark_pockets(remark_speaker *w, int body)
     for (int b = 0; b < body && is_solid_body(s, a) && scene_in_contact(s, body); ++b) {
         if (!is_solid_body(s, &s->body[b]) || !scene_in_contact(s, b) || !boxes_meet(s, a, &s->body[b])) continue;
         remark_set_key(w, "bodies", a->name, "");
-        remark_key(
-            w,
-            "body '%s' lies on body '%s' at the start, in contact and beside a sharp interface in space: slivers "
-            "of gas between them may throw them apart (a block of 20 kg at rest: with 0.7 m/s, or not at all, "
-            "by the place of their surface in its cell). Leave a gap of a cell, take method.interface: "
-            "smeared, or leave `contact` out",
-            a->name, s->body[b].name);
+        remark_key(w,
+                   "body '%s' lies on body '%s' at the start, in contact and beside a sharp interface in space: small "
+                   "cut cells "
+                   "of gas between them may throw them apart (a block of 20 kg at rest: with 0.7 m/s, or not at all, "
+                   "by the place of their surface in its cell). Leave a gap of a cell, take method.interface: "
+                   "smeared, or leave `contact` out",
+                   a->name, s->body[b].name);
         return;
     }
 }

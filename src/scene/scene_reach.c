@@ -38,9 +38,6 @@ char axis_letter(const scene *s, int axis)
     return (s->mesh.geometry == MESH_AXISYMMETRIC ? "rz" : "xyz")[axis];
 }
 
-/* Of a cell: what is nearer than this touches. */
-static const double touches = 1e-6;
-
 static bool bounds_of(const scene *s, const scene_body *b, double lo[3], double hi[3])
 {
     return b->shape.model && shape_bounds(&b->shape, s->mesh.dim, lo, hi);
@@ -49,7 +46,7 @@ static bool bounds_of(const scene *s, const scene_body *b, double lo[3], double 
 bool body_stands_on_side(const scene *s, const scene_body *b, int axis, int side)
 {
     double lo[3] = {0.0}, hi[3] = {0.0};
-    const double near = touches * s->mesh.cell[axis];
+    const double near = BODIES_TOUCH * s->mesh.cell[axis];
     if (!bounds_of(s, b, lo, hi)) return false;
     return side == 0 ? lo[axis] <= s->mesh.lower[axis] + near : hi[axis] >= s->mesh.upper[axis] - near;
 }
@@ -59,38 +56,51 @@ static bool is_solid(const scene *s, const scene_body *b)
     return b->shape.model && s->material[b->material].kind == MATERIAL_SOLID && !s->material[b->material].membrane;
 }
 
-static bool bodies_touch(const scene *s, const scene_body *a, const scene_body *b)
+bool bodies_meet(const scene *s, const scene_body *a, const scene_body *b, double share)
 {
     double lo[2][3], hi[2][3];
     if (!bounds_of(s, a, lo[0], hi[0]) || !bounds_of(s, b, lo[1], hi[1])) return true;
     for (int d = 0; d < s->mesh.dim; ++d) {
-        const double near = touches * s->mesh.cell[d];
+        const double near = share * s->mesh.cell[d];
         if (lo[0][d] > hi[1][d] + near || lo[1][d] > hi[0][d] + near) return false;
     }
     return true;
 }
 
-/* Whether a solid, or one that hangs together with it, reaches a side. */
-static bool group_reaches_side(const scene *s, const scene_body *first, int axis, int side)
+int scene_mark_group(const scene *s, int first, body_relation *joined, bool of[SCENE_MAX_BODIES])
 {
-    bool of[SCENE_MAX_BODIES] = {false}, grows = true;
-    of[first - s->body] = true;
+    int n = 1;
+    bool grows = true;
+    of[first] = true;
     while (grows) {
         grows = false;
         for (int a = 0; a < s->n_bodies; ++a)
-            for (int b = 0; b < s->n_bodies && !of[a] && is_solid(s, &s->body[a]); ++b)
-                if (of[b] && bodies_touch(s, &s->body[a], &s->body[b])) of[a] = grows = true;
+            for (int b = 0; b < s->n_bodies && !of[a]; ++b)
+                if (of[b] && joined(s, &s->body[a], &s->body[b])) {
+                    of[a] = grows = true;
+                    ++n;
+                }
     }
+    return n;
+}
+
+static bool hang_together(const scene *s, const scene_body *a, const scene_body *b)
+{
+    return is_solid(s, a) && bodies_meet(s, a, b, BODIES_TOUCH);
+}
+
+static bool group_reaches_side(const scene *s, const bool *of, int axis, int side)
+{
     for (int a = 0; a < s->n_bodies; ++a)
         if (of[a] && body_reaches_side(s, &s->body[a], axis, side)) return true;
     return false;
 }
 
-/* Whether gas can come from the side of a body to what opens beneath it. */
-static bool leaves_a_way(const scene *s, const scene_body *b, int axis)
+/* Whether gas can come from the side of a group to what opens beneath it. */
+static bool leaves_a_way(const scene *s, const bool *of, int axis)
 {
     for (int a = 0; a < s->mesh.dim; ++a)
-        if (a != axis && !(group_reaches_side(s, b, a, 0) && group_reaches_side(s, b, a, 1))) return true;
+        if (a != axis && !(group_reaches_side(s, of, a, 0) && group_reaches_side(s, of, a, 1))) return true;
     return false;
 }
 
@@ -111,6 +121,8 @@ bool scene_can_leave_side(const scene *s, const scene_body *b, int axis, int sid
     if (!body_stands_on_side(s, b, axis, side) || stands_in_corner(s, b)) return false;
     for (int k = 0; k < s->n_bodies; ++k)
         if (is_liquid(s, s->body[k].material)) return false;
-    return !(s->has_ambient && is_liquid(s, s->ambient_material)) && !group_reaches_side(s, b, axis, !side) &&
-           leaves_a_way(s, b, axis);
+    if (s->has_ambient && is_liquid(s, s->ambient_material)) return false;
+    bool of[SCENE_MAX_BODIES] = {false};
+    scene_mark_group(s, (int)(b - s->body), hang_together, of);
+    return !group_reaches_side(s, of, axis, !side) && leaves_a_way(s, of, axis);
 }

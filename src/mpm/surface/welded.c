@@ -1,10 +1,7 @@
 #include "mpm/surface/welded.h"
 
 #include "base/memory.h"
-#include "geom/bounds.h"
-
-/* Of a cell: bounds that are this near to each other touch. */
-static const double touches = 1e-6;
+#include "scene/scene_reach.h"
 
 /* Solids that have the one velocity of the nodes. */
 static bool may_weld(const scene *s, const scene_body *b)
@@ -12,16 +9,6 @@ static bool may_weld(const scene *s, const scene_body *b)
     return b->shape.model && !scene_in_contact(s, (int)(b - s->body)) &&
            s->material[b->material].kind == MATERIAL_SOLID && !s->material[b->material].membrane &&
            !motion_is_given(&b->motion) && !b->initial_from_exact && !b->yields;
-}
-
-static bool bounds_touch(const mesh *m, const scene_body *a, const scene_body *b)
-{
-    double lo[2][3], hi[2][3];
-    if (!shape_bounds(&a->shape, m->dim, lo[0], hi[0]) || !shape_bounds(&b->shape, m->dim, lo[1], hi[1]))
-        return true; /* one without bounds is everywhere */
-    for (int d = 0; d < m->dim; ++d)
-        if (lo[0][d] > hi[1][d] + touches * m->h[d] || lo[1][d] > hi[0][d] + touches * m->h[d]) return false;
-    return true;
 }
 
 static bool start_alike(const scene_body *a, const scene_body *b)
@@ -32,40 +19,23 @@ static bool start_alike(const scene_body *a, const scene_body *b)
 }
 
 /* Bodies of two materials may be meant to part. A surface of bodies that only might touch is that of each of them. */
-static bool are_welded(const scene *s, const mesh *m, const scene_body *a, const scene_body *b)
+static bool are_welded(const scene *s, const scene_body *a, const scene_body *b)
 {
-    return a->material == b->material && may_weld(s, a) && may_weld(s, b) && start_alike(a, b) && bounds_touch(m, a, b);
-}
-
-/* Marks all bodies that hang together with one. */
-static int mark_welded(const scene *s, const mesh *m, int first, bool *of)
-{
-    int n = 1;
-    bool grows = true;
-    of[first] = true;
-    while (grows) {
-        grows = false;
-        for (int a = 0; a < s->n_bodies; ++a)
-            for (int b = 0; b < s->n_bodies && !of[a]; ++b)
-                if (of[b] && are_welded(s, m, &s->body[a], &s->body[b])) {
-                    of[a] = grows = true;
-                    ++n;
-                }
-    }
-    return n;
+    return a->material == b->material && may_weld(s, a) && may_weld(s, b) && start_alike(a, b) &&
+           bodies_meet(s, a, b, BODIES_TOUCH);
 }
 
 bool welded_to_others(const scene *s, const mesh *m, const scene_body *body)
 {
     bool of[SCENE_MAX_BODIES] = {false};
-    return m->dim == 3 && mark_welded(s, m, (int)(body - s->body), of) > 1;
+    return m->dim == 3 && scene_mark_group(s, (int)(body - s->body), are_welded, of) > 1;
 }
 
 floe_status welded_find(const scene *s, const mesh *m, const scene_body *body, welded *out)
 {
     const int number = (int)(body - s->body);
     bool of[SCENE_MAX_BODIES] = {false};
-    const int n = mark_welded(s, m, number, of);
+    const int n = scene_mark_group(s, number, are_welded, of);
     int at = 0;
     *out = (welded){.shape = body->shape};
     if (n == 1) return FLOE_OK;
