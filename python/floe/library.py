@@ -176,6 +176,7 @@ def _places() -> list[pathlib.Path]:
 
 def _open() -> ctypes.CDLL:
     chosen = os.environ.get("FLOE_LIBRARY")
+    os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # read once, as the library is loaded; src/cli/thread_wait.c says why
     for name in [chosen] if chosen else [str(path) for path in _places()[:1]] + [SONAME]:
         try:
             return ctypes.CDLL(name)

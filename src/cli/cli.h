@@ -44,6 +44,8 @@ int cmd_list(cli *c, int argc, char **argv);
 int cmd_new(cli *c, int argc, char **argv);
 /* Explains a key of decks, whole or by its last word; the exit status. */
 int cli_help_key(cli *c, const char *key);
+/* Starts the program again, with threads that sleep while they wait, unless the environment says how they wait. */
+void cli_let_threads_sleep(char **argv);
 
 /* A deck as the command line names it: file, --set and --coupling. */
 typedef struct cli_deck {

@@ -5,6 +5,12 @@
 
 expect 0 "$FLOE" --version
 has stdout 'floe '
+# Threads that wait sleep, unless the environment wants something else (as GNU's OpenMP tells it: how often they look).
+looks() {
+    env -u OMP_WAIT_POLICY OMP_DISPLAY_ENV=verbose "$@" "$FLOE" run 2>&1 | sed -n "s/.*GOMP_SPINCOUNT *= *'\(.*\)'.*/\1/p" | tail -n 1
+}
+[ "$(looks)" = 0 ] || fault "threads that wait look $(looks) times before they sleep"
+[ "$(looks GOMP_SPINCOUNT=77)" = 77 ] || fault 'how threads wait cannot be chosen'
 expect 0 "$FLOE" --help
 for command in check plan run compare study picture list new; do
     has stdout "$command"
