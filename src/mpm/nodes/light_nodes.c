@@ -35,16 +35,16 @@ static void give_points(const mpm *s, const tile_box *t, const point_arrays *p, 
                         double window[][MPM_MAX_WINDOW], double *out)
 {
     const int count = gift == GIVE_RESIDUAL ? s->mesh->dim : 1;
-    double at[3][SOLID_CHUNK];
+    double at[3][SOLID_CHUNK], number[3 * SOLID_CHUNK];
     for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
         for (int c = 0; gift == GIVE_RESIDUAL && c < count; ++c)
             s->windows->kernel->sample(s->mesh, t, p, k, stop, window[c], at[c]);
-        for (size_t i = k; i < stop; ++i) {
-            double number[3] = {p->mass[i] * p->mass[i]};
-            for (int c = 0; gift == GIVE_RESIDUAL && c < count; ++c) number[c] = p->mass[i] * at[c][i - k];
-            spread_numbers(s, t, p, i, number, count, out);
-        }
+        for (size_t i = 0; i < stop - k; ++i)
+            for (int c = 0; c < count; ++c)
+                number[i * (size_t)count + (size_t)c] =
+                    p->mass[k + i] * (gift == GIVE_RESIDUAL ? at[c][i] : p->mass[k + i]);
+        s->windows->kernel->spread(s->mesh, t, p, k, stop, number, count, out);
     }
 }
 

@@ -50,6 +50,11 @@ FLOE_ALWAYS_INLINE bool gather_needs_mass(bool kinks, bool motion, bool gradient
 typedef void sample_kernel(const mesh *m, const tile_box *t, const struct point_arrays *p, size_t start, size_t end,
                            const double *window, double *out);
 
+/* Adds `count` numbers of each of the points [start, end) to those of the nodes, by the points' weights there: number[0] to
+ * number[count - 1] are those of `start`. Interleaved at the nodes, too. */
+typedef void spread_kernel(const mesh *m, const tile_box *t, const struct point_arrays *p, size_t start, size_t end,
+                           const double *number, int count, double *window);
+
 /* Adds to the nodes of a window, `out`, the momentum that points [start, end) would return if they took the velocities in another,
  * `window`, with their gradients; lanes_of(dim) doubles a node in both. */
 typedef void project_kernel(const mesh *m, const tile_box *t, const struct point_arrays *p, size_t start, size_t end,
@@ -60,6 +65,7 @@ typedef struct kernel_set {
     gather_kernel *gather[GATHER_MODES];
     sample_kernel *sample;
     scatter_kernel *fill; /* volume of the points at their nodes */
+    spread_kernel *spread;
     project_kernel *project;
 } kernel_set;
 

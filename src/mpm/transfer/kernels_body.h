@@ -108,6 +108,28 @@ FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_
     }
 }
 
+/* `count` numbers of each point, from `number` on, to those of the nodes. */
+FLOE_ALWAYS_INLINE void spread_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                    const double *restrict number, double *restrict window, const int dim,
+                                    const int basis, const int count)
+{
+    const tile_frame frame = frame_of(m, t, dim);
+    stencils s;
+    for (int n; start < end; start += (size_t)n) {
+        n = strip_length(start, end, dim, basis);
+        locate(&s, m, &frame, p, start, n, dim, basis);
+        for (int i = 0; i < n; ++i, number += count) {
+            FOR_PIECES(j, i, dim, basis)
+            FOR_ROWS(s, j, dim, basis, {
+                for (int x = 0; x < basis_support(basis); ++x) {
+                    double *node = window + count * (ptrdiff_t)(row + x);
+                    for (int c = 0; c < count; ++c) node[c] += W * s.w[0][x][j] * number[c];
+                }
+            });
+        }
+    }
+}
+
 #define SCATTER(name, dim, axi, basis, momentum, force)                                                              \
     static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, double *out) \
     {                                                                                                                \
@@ -154,6 +176,18 @@ FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_
         fill_body(m, t, p, start, end, window, dim, basis);                                             \
     }
 
+#define SPREAD(name, dim, basis)                                                                        \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, \
+                     const double *number, int count, double *window)                                   \
+    {                                                                                                   \
+        if (count == 1)                                                                                 \
+            spread_body(m, t, p, start, end, number, window, dim, basis, 1);                            \
+        else if (count == dim)                                                                          \
+            spread_body(m, t, p, start, end, number, window, dim, basis, dim);                          \
+        else                                                                                            \
+            spread_body(m, t, p, start, end, number, window, dim, basis, count);                        \
+    }
+
 #define PROJECT(name, dim, basis)                                                                       \
     static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, \
                      const double *window, double *out)                                                 \
@@ -172,6 +206,7 @@ FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_
     MOMENTS(moments_##geometry##_##name, dim, BASIS_NUMBER_##name)                                     \
     SAMPLE(sample_##geometry##_##name, dim, BASIS_NUMBER_##name)                                       \
     FILL(fill_##geometry##_##name, dim, BASIS_NUMBER_##name)                                           \
+    SPREAD(spread_##geometry##_##name, dim, BASIS_NUMBER_##name)                                       \
     PROJECT(project_##geometry##_##name, dim, BASIS_NUMBER_##name)                                     \
     extern const kernel_set kernels_##geometry##_##name##_##width;                                     \
     const kernel_set kernels_##geometry##_##name##_##width = {                                         \
@@ -180,6 +215,7 @@ FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_
                    moments_##geometry##_##name},                                                       \
         .sample = sample_##geometry##_##name,                                                          \
         .fill = fill_##geometry##_##name,                                                              \
+        .spread = spread_##geometry##_##name,                                                          \
         .project = project_##geometry##_##name,                                                        \
     };
 

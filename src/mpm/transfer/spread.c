@@ -1,26 +1,13 @@
 #include "mpm/transfer/spread.h"
 
-#include "grid/tile_box.h"
 #include "mpm/nodes/ghosts.h"
-#include "mpm/transfer/locate.h"
-#include "mpm/transfer/point_arrays.h"
+#include "mpm/transfer/kernels.h"
 #include "mpm/transfer/windows.h"
 
 void spread_numbers(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, const double *number, int count,
                     double *window)
 {
-    const int dim = s->mesh->dim;
-    const int basis = basis_number(s->basis);
-    const tile_frame frame = frame_of(s->mesh, t, dim);
-    stencils at;
-    locate(&at, s->mesh, &frame, p, k, 1, dim, basis);
-    FOR_PIECES(j, 0, dim, basis)
-    FOR_ROWS(at, j, dim, basis, {
-        for (int x = 0; x < basis_support(basis); ++x) {
-            double *node = window + count * (ptrdiff_t)(row + x);
-            for (int c = 0; c < count; ++c) node[c] += W * at.w[0][x][j] * number[c];
-        }
-    });
+    s->windows->kernel->spread(s->mesh, t, p, k, k + 1, number, count, window);
 }
 
 void gather_unfolded(mpm *s, int group, const field_id *id, int count)
