@@ -25,6 +25,7 @@ from .snapshots import SealedSnapshot, snapshot_files, table
 WIDTH, MOST_WIDTH = 720, 8000
 _TITLE, _TEXT, _TICK, _MARGIN, _LINE = 29, 25, 23, 22, 38   # sizes in units of a 720th of the width
 _TALLEST, _BAR, _PANEL = 860, 24, 330
+_CLOSED = 10  # pixels: gaps between points of a body of up to twice as much are closed
 
 
 @dataclasses.dataclass
@@ -360,12 +361,40 @@ def _paint_cells(sheet: Sheet, image: numpy.ndarray, ranges, kinds) -> None:
     image[:] = rgba[i[None, :], j[:, None]]
 
 
+def _spread(filled: numpy.ndarray) -> Iterable[tuple[numpy.ndarray, tuple, tuple]]:
+    """For each of the four neighbours of pixels: where that one is filled, and slices to write and to read."""
+    for axis in (0, 1):
+        for to, of in ((slice(1, None), slice(None, -1)), (slice(None, -1), slice(1, None))):
+            write, read = ((to, slice(None)), (of, slice(None))) if axis == 0 else ((slice(None), to), (slice(None), of))
+            yield filled[read], write, read
+
+
+def _close_gaps(layer: numpy.ndarray, reach: int) -> None:
+    """Fills gaps of up to twice `reach` pixels between points of a body, which stretch and are squares in the picture, with the colour beside them:
+    what is painted grows by `reach` and shrinks by as much again."""
+    painted = layer[..., 3] > 0
+    grown = painted.copy()
+    for _ in range(reach):
+        before = grown.copy()
+        for there, write, read in _spread(before):
+            new = there & ~grown[write]
+            layer[write][new] = layer[read][new]
+            grown[write] |= new
+    for _ in range(reach):
+        before = grown.copy()
+        for there, write, _read in _spread(before):
+            grown[write] &= there
+    layer[~(grown | painted)] = 0
+
+
 def _paint_points(sheet: Sheet, body: Points, image: numpy.ndarray, ranges, kinds) -> None:
-    """Squares as large as the points and half a pixel more on each side, so that points close up to a solid."""
+    """Squares as large as the points and half a pixel more on each side, and what lies between them: points close up to a solid."""
     height, width = image.shape[:2]
     per = numpy.array([width, height]) / (sheet.upper - sheet.lower)
     at, side = (body.place - sheet.lower) * per, body.edge * per[0]
     fine = numpy.isfinite(at).all(axis=1) & numpy.isfinite(side)
+    if not fine.any():
+        return
     with numpy.errstate(invalid="ignore"):
         side = numpy.clip(numpy.where(fine, side, 0) + 1, 2, max(width, height))
         fine &= ((at > -side[:, None]) & (at < [width, height] + side[:, None])).all(axis=1)
@@ -375,20 +404,31 @@ def _paint_points(sheet: Sheet, body: Points, image: numpy.ndarray, ranges, kind
     if body.values is not None:
         coloured = _colour(body.values, ranges[body.scale], kinds[body.scale], sheet.options.dark)
         rgba = numpy.where(coloured[:, 3:] > 0, coloured, rgba)
-    corner = numpy.rint(at - 0.5 * side[:, None], where=fine[:, None], out=numpy.zeros_like(at)).astype(int)
+    reach = int(numpy.clip(numpy.median(side[fine]) // 2, 0, _CLOSED)) if fine.any() else 0
+    # Beyond an axis and a mirror, images of the first points: a body goes on there.
+    beyond = [reach + 1 if sheet.axes[k:k + 1] == "r" or "xy"[k] in sheet.options.mirror else 0 for k in (0, 1)]
+    layer = numpy.zeros((height + beyond[1], width + beyond[0], 4), dtype=numpy.uint8)
+    corner = numpy.rint(at - 0.5 * side[:, None], where=fine[:, None], out=numpy.zeros_like(at)).astype(int) + beyond
     size = numpy.rint(side).astype(int)
     for edge in numpy.unique(size[fine]):
         chosen = numpy.nonzero(fine & (size == edge))[0]
         if len(chosen) < edge * edge:  # few large ones
             for k in chosen:
-                x, y = numpy.maximum(corner[k], 0)
-                image[y:max(corner[k, 1] + edge, 0), x:max(corner[k, 0] + edge, 0)] = rgba[k]
+                x, y = numpy.maximum(corner[k], beyond)
+                layer[y:max(corner[k, 1] + edge, 0), x:max(corner[k, 0] + edge, 0)] = rgba[k]
             continue
         for dy in range(edge):
             for dx in range(edge):
                 x, y = corner[chosen, 0] + dx, corner[chosen, 1] + dy
-                inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
-                image[y[inside], x[inside]] = rgba[chosen[inside]]
+                inside = (x >= beyond[0]) & (x < layer.shape[1]) & (y >= beyond[1]) & (y < layer.shape[0])
+                layer[y[inside], x[inside]] = rgba[chosen[inside]]
+    if beyond[0]:
+        layer[:, :beyond[0]] = layer[:, 2 * beyond[0] - 1:beyond[0] - 1:-1]
+    if beyond[1]:
+        layer[:beyond[1]] = layer[2 * beyond[1] - 1:beyond[1] - 1:-1]
+    _close_gaps(layer, reach)
+    shown = layer[beyond[1]:, beyond[0]:]
+    image[shown[..., 3] > 0] = shown[shown[..., 3] > 0]
 
 
 def raster(sheet: Sheet, ranges, width: int, height: int) -> numpy.ndarray:
