@@ -27,9 +27,9 @@ def _range(text: str) -> tuple[float, float]:
     return low, high
 
 
-def _plane(text: str) -> tuple[str, float]:
+def _plane(text: str) -> tuple[str | tuple[float, ...], float]:
     axis, at = text.split("=")
-    return axis, float(at)
+    return axis if axis in ("x", "y", "z") else tuple(float(one) for one in axis.split(",")), float(at)
 
 
 def _view(text: str) -> tuple[float, float]:
@@ -72,7 +72,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _picture_name(a: argparse.Namespace, stem: str) -> pathlib.Path:
     """"DIR/pictures/000004-sigma_r-dark.png": what was asked for tells pictures of one snapshot apart."""
-    parts = [stem, a.points, a.cells, f"{a.plane[0]}{a.plane[1]:g}" if a.plane else None, "view_{:g}_{:g}".format(*a.view) if a.view else None, f"mirror_{a.mirror}" if a.mirror else None, "dark" if a.dark else None]
+    parts = [stem, a.points, a.cells, f"{a.plane[0] if isinstance(a.plane[0], str) else '_'.join(format(one, 'g') for one in a.plane[0]) + '_at_'}{a.plane[1]:g}" if a.plane else None, "view_{:g}_{:g}".format(*a.view) if a.view else None, f"mirror_{a.mirror}" if a.mirror else None, "dark" if a.dark else None]
     return pathlib.Path(a.folder) / "pictures" / ("-".join(one.replace("/", "_") for one in parts if one) + ".png")
 
 

@@ -17,7 +17,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from . import colours, fields, files, space, units
+from . import colours, fields, files, planes, space, units
 from .files import Refused
 from .results import Result, Snapshot
 from .snapshots import SealedSnapshot, snapshot_files, table
@@ -31,15 +31,15 @@ _CLOSED = 10  # pixels: gaps between points of a body of up to twice as much are
 @dataclasses.dataclass
 class Options:
     """What is asked for. `points` and `cells` name a field, "none" leaves them out, None chooses; `ranges` are those of the colour
-    bars in turn, None chooses; `plane` is an axis and a place on it (3-D; None: the middle one along z); `mirror` names the axes,
-    "x", "y" or "xy", at whose lower side a symmetric scene is completed; `view` (3-D): seen from an azimuth and an elevation in degrees, cells on
+    bars in turn, None chooses; `plane` is an axis and a place on it, or the three components of a normal and the distance from the origin along it
+    (3-D; None: the middle one along z); `mirror` names the axes, "x", "y" or "xy", at whose lower side a symmetric scene is completed; `view` (3-D): seen from an azimuth and an elevation in degrees, cells on
     the `plane` or on the far sides of the domain; `titled`: the scene's title stands above."""
     points: str | None = None
     cells: str | None = None
     ranges: list = dataclasses.field(default_factory=list)
     dark: bool = False
     width: int = WIDTH
-    plane: tuple[str, float] | None = None
+    plane: tuple[str | tuple[float, float, float], float] | None = None
     mirror: str = ""
     view: tuple[float, float] | None = None
     titled: bool = True
@@ -70,7 +70,7 @@ class Sheet:
     """All that a picture of a snapshot shows."""
     snapshot: SealedSnapshot
     options: Options
-    axes: str                      # the two that are shown
+    axes: list[str]                # the two that are shown
     lower: numpy.ndarray
     upper: numpy.ndarray
     note: str = ""
@@ -134,11 +134,10 @@ def _add_body(sheet: Sheet, body: str, choice: fields.Choice | None, plane) -> N
         values, unit = fields.values(snapshot, choice)
         scale = _scale_for(sheet, choice, unit)
     if plane:
-        axis, at, half = plane
-        near = abs(place[:, axis] - at) <= half
-        place, edge, values = place[near], edge[near], values[near] if values is not None else None
-    shown = ["xyz".index(one) if snapshot.geometry != "axisymmetric" else "rz".index(one) for one in sheet.axes]
-    place = place[:, shown] if len(shown) > 1 else numpy.column_stack([place[:, 0], numpy.zeros(len(place))])
+        near = abs(plane.distance(place)) <= 0.5 * abs(plane.normal) @ snapshot.spacing
+        place, edge, values = plane.flat(place[near]), edge[near], values[near] if values is not None else None
+    else:
+        place = place[:, :snapshot.dim] if snapshot.dim > 1 else numpy.column_stack([place[:, 0], numpy.zeros(len(place))])
     if values is not None:
         sheet.scales[scale].values.append(values)
     sheet.bodies.append(Points(body, place, edge, values, scale))
@@ -171,47 +170,62 @@ def _add_cells(sheet: Sheet, plane) -> bool:
     if not choice:
         return False
     values, unit = fields.values(snapshot, choice)
-    if plane:
-        axis, at, _ = plane
-        layer = math.floor((at - snapshot.lower[axis]) / snapshot.spacing[axis])
-        values = values.take(min(max(layer, 0), values.shape[axis] - 1), axis=axis)
+    if plane and plane.axis is not None:
+        layer = math.floor((plane.at - snapshot.lower[plane.axis]) / snapshot.spacing[plane.axis])
+        values = values.take(min(max(layer, 0), values.shape[plane.axis] - 1), axis=plane.axis)
+    elif plane:
+        values = _leaning_cells(sheet, plane, values)
     sheet.cell_scale = _scale_for(sheet, choice, unit)
     sheet.cells = values
     sheet.scales[sheet.cell_scale].values.append(values)
     return True
 
 
-def _plane_of(snapshot: SealedSnapshot, options: Options):
-    """The axis of the plane, its place, and half the thickness of what is shown; None but in 3-D, and where all of that is seen."""
+def _leaning_cells(sheet: Sheet, plane: planes.Plane, values: numpy.ndarray) -> numpy.ndarray:
+    """Values of cells in a plane that leans, on a grid of its own of a third of a cell."""
+    snapshot, span = sheet.snapshot, sheet.upper - sheet.lower
+    n = [max(2, math.ceil(3 * float(one) / float(min(snapshot.spacing)))) for one in span]
+    along = [sheet.lower[k] + (numpy.arange(n[k]) + 0.5) / n[k] * span[k] for k in (0, 1)]
+    flat = numpy.stack(numpy.meshgrid(*along, indexing="ij"), axis=-1).reshape(-1, 2)
+    return planes.cells_at(values, snapshot.lower, snapshot.spacing, plane.place(flat)).reshape(n)
+
+
+def _plane_of(snapshot: SealedSnapshot, options: Options) -> planes.Plane | None:
+    """The plane that is shown; None but in 3-D, and where all of the domain is seen."""
     if snapshot.dim != 3:
         if options.plane or options.view:
             raise Refused(f"--{'plane' if options.plane else 'view'} is for scenes in 3-D; '{snapshot.path}' has {snapshot.dim} dimension{'s' if snapshot.dim > 1 else ''}", 2)
         return None
-    axis = "xyz".index(options.plane[0]) if options.plane else 2
-    half = 0.5 * snapshot.spacing[axis]
     if options.view and not options.plane:
         return None
     if not options.plane:
-        cells = round((snapshot.upper[axis] - snapshot.lower[axis]) / snapshot.spacing[axis])
-        return axis, snapshot.lower[axis] + snapshot.spacing[axis] * (cells // 2) + half, half
-    if not snapshot.lower[axis] <= options.plane[1] <= snapshot.upper[axis]:
-        raise Refused(f"the plane {options.plane[0]} = {options.plane[1]:g} lies outside the domain, which is from {snapshot.lower[axis]:g} to {snapshot.upper[axis]:g}", 2)
-    if options.view:
-        return None
-    return axis, options.plane[1], half
+        cells = round((snapshot.upper[2] - snapshot.lower[2]) / snapshot.spacing[2])
+        return planes.Plane.across("z", snapshot.lower[2] + snapshot.spacing[2] * (cells // 2 + 0.5))
+    try:
+        plane = planes.Plane.across(*options.plane)
+    except ValueError as error:
+        raise Refused(str(error), 2) from error
+    if plane.axis is not None and not snapshot.lower[plane.axis] <= plane.at <= snapshot.upper[plane.axis]:
+        raise Refused(f"the plane {plane.names[2]} = {plane.at:g} lies outside the domain, which is from {snapshot.lower[plane.axis]:g} to {snapshot.upper[plane.axis]:g}", 2)
+    if plane.axis is None and plane.extent(snapshot.lower, snapshot.upper) is None:
+        raise Refused(f"the plane across {plane.names[2]} that is {plane.at:g} from the origin lies outside the domain", 2)
+    if plane.axis is None and options.mirror:
+        raise Refused("--mirror is for planes across an axis", 2)
+    return None if options.view else plane
 
 
 def make_sheet(snapshot: SealedSnapshot, options: Options) -> Sheet:
     """What a picture shows; `files.Refused` where what is asked for is not there."""
     plane = _plane_of(snapshot, options)
-    axes = fields.axes_of(snapshot)
-    kept = [k for k in range(snapshot.dim) if not plane or k != plane[0]]
-    sheet = Sheet(snapshot, options, "".join(axes[k] for k in kept), snapshot.lower[kept], snapshot.upper[kept], snapshot.coupling)
+    sheet = Sheet(snapshot, options, list(fields.axes_of(snapshot))[:snapshot.dim], snapshot.lower[:snapshot.dim], snapshot.upper[:snapshot.dim], snapshot.coupling)
+    if plane:
+        sheet.axes, (sheet.lower, sheet.upper) = list(plane.names[:2]), plane.extent(snapshot.lower, snapshot.upper)
     if options.view:
         size = " × ".join(units.digits(float(one)) for one in (sheet.upper - sheet.lower) / _length(sheet)[0])
         sheet.note += f", domain of {size} {_length(sheet)[1]}".rstrip()
     if plane:
-        sheet.note += f", plane {axes[plane[0]]} = {units.number(plane[1], snapshot.length_unit)}"
+        at = units.number(plane.at, snapshot.length_unit)
+        sheet.note += f", plane {plane.names[2]} {'=' if plane.axis is not None else 'at'} {at}"
     found = _add_bodies(sheet, plane)
     if _add_cells(sheet, plane):
         found.add("cells")
@@ -406,7 +420,7 @@ def _paint_points(sheet: Sheet, body: Points, image: numpy.ndarray, ranges, kind
         rgba = numpy.where(coloured[:, 3:] > 0, coloured, rgba)
     reach = int(numpy.clip(numpy.median(side[fine]) // 2, 0, _CLOSED)) if fine.any() else 0
     # Beyond an axis and a mirror, images of the first points: a body goes on there.
-    beyond = [reach + 1 if sheet.axes[k:k + 1] == "r" or "xy"[k] in sheet.options.mirror else 0 for k in (0, 1)]
+    beyond = [reach + 1 if sheet.axes[k] == "r" or "xy"[k] in sheet.options.mirror else 0 for k in (0, 1)]
     layer = numpy.zeros((height + beyond[1], width + beyond[0], 4), dtype=numpy.uint8)
     corner = numpy.rint(at - 0.5 * side[:, None], where=fine[:, None], out=numpy.zeros_like(at)).astype(int) + beyond
     size = numpy.rint(side).astype(int)

@@ -8,7 +8,7 @@ import math
 import numpy
 import PIL.Image
 
-from . import colours
+from . import colours, planes
 
 _LIGHT = numpy.array([-0.45, 0.55, 0.70]) / numpy.linalg.norm([-0.45, 0.55, 0.70])  # from the left, above, in front of the paper
 _RADIUS = 4                                                                        # of a point, in pixels of the map of depths, at most
@@ -125,13 +125,14 @@ class Canvas:
         self.rgba = numpy.concatenate([mixed / numpy.maximum(alpha, 1e-9), alpha], axis=-1)
         self.depth = numpy.where(share[..., 0] > 0.5, depth, self.depth)
 
-    def paint_plane(self, axis: int, at: float, colour_of) -> None:
-        """A plane across an axis: colour_of(places (n, 3)) gives its RGBA there, clear where there is nothing."""
+    def paint_plane(self, normal: numpy.ndarray, at: float, colour_of) -> None:
+        """The plane normal . x = at: colour_of(places (n, 3)) gives its RGBA there, clear where there is nothing."""
         frame, low, high = self.camera.frame, self.camera.low, self.camera.high
-        if abs(frame[2][axis]) < 1e-6:  # seen from its edge
+        across = frame @ normal
+        if abs(across[2]) < 1e-6:  # seen from its edge
             return
         u, v = numpy.meshgrid(low[0] + (numpy.arange(self.width) + 0.5) / self.width * (high[0] - low[0]), low[1] + (numpy.arange(self.height) + 0.5) / self.height * (high[1] - low[1]))
-        depth = (at - u * frame[0][axis] - v * frame[1][axis]) / frame[2][axis]
+        depth = (at - u * across[0] - v * across[1]) / across[2]
         place = u[..., None] * frame[0] + v[..., None] * frame[1] + depth[..., None] * frame[2]
         self._lay(colour_of(place.reshape(-1, 3)).reshape(self.height, self.width, 4), depth - low[2])
 
@@ -208,10 +209,11 @@ def raster(sheet, camera: Camera, colour, width: int) -> numpy.ndarray:
     if sheet.cells is not None:
         paint = _cell_colours(sheet, colour(sheet.cells, sheet.cell_scale))
         if sheet.options.plane:
-            canvas.paint_plane("xyz".index(sheet.options.plane[0]), sheet.options.plane[1], paint)
+            plane = planes.Plane.across(*sheet.options.plane)
+            canvas.paint_plane(plane.normal, plane.at, paint)
         else:
             for k in range(3):
-                canvas.paint_plane(k, camera.corners[7 if camera.far_side(k) else 0][k], paint)
+                canvas.paint_plane(numpy.eye(3)[k], camera.corners[7 if camera.far_side(k) else 0][k], paint)
     none = colours.POINT_DARK if dark else colours.POINT
     grey = numpy.array([int(none[k:k + 2], 16) for k in (1, 3, 5)]) / 255
     for body in sheet.bodies:

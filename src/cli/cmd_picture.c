@@ -53,14 +53,25 @@ static void check_width(const char *arg, struct argp_state *state)
         argp_error(state, "--width takes a whole number of pixels from 240 to %d, not '%s'", MOST_WIDTH, arg);
 }
 
-/* "z=0.5" */
+/* "z=0.5", or "1,1,0=0.5": components of a normal, and the distance from the origin along it */
 static void check_plane(const char *arg, struct argp_state *state)
 {
+    const char *at = strchr(arg, '=');
     char *end = NULL;
-    const bool named = arg[0] >= 'x' && arg[0] <= 'z' && arg[1] == '=';
-    const double place = named ? strtod(arg + 2, &end) : 0.0;
-    if (!named || end == arg + 2 || *end != '\0' || !isfinite(place))
-        argp_error(state, "--plane takes an axis and a place on it, as in --plane z=0.5, not '%s'", arg);
+    bool right = at != NULL;
+    if (right && !(arg[0] >= 'x' && arg[0] <= 'z' && at == arg + 1)) {
+        const char *from = arg;
+        for (int c = 0; right && c < 3; ++c, from = end + 1) {
+            const double component = strtod(from, &end);
+            right = end != from && isfinite(component) && *end == (c < 2 ? ',' : '=');
+        }
+    }
+    const double place = right ? strtod(at + 1, &end) : 0.0;
+    if (!right || end == at + 1 || *end != '\0' || !isfinite(place))
+        argp_error(state,
+                   "--plane takes an axis and a place on it, as in --plane z=0.5, or a normal and a distance, as in "
+                   "--plane 1,1,0=0.5, not '%s'",
+                   arg);
 }
 
 /* "30,20": azimuth and elevation in degrees */
@@ -142,7 +153,8 @@ static const struct argp_option options[] = {
      "What colours the cells, and a fluid's points beside solids; none leaves them out (default: pressure)", 0},
     {"range", 'r', "LO:HI", 0,
      "The range of the first colour bar, in the unit of the field; given again: of the second", 0},
-    {"plane", 'l', "AXIS=PLACE", 0, "The plane of a run in 3-D, as in z=0.5 (default: the middle one along z)", 0},
+    {"plane", 'l', "AXIS=PLACE", 0,
+     "The plane of a run in 3-D, as in z=0.5, or 1,1,0=0.5 across a direction (default: the middle one along z)", 0},
     {"view", 'v', "AZIMUTH,ELEVATION", 0,
      "A run in 3-D as it is seen from there, in degrees from x towards y and upwards: points as surfaces, cells on the "
      "--plane, or on the far sides of the domain",

@@ -15,7 +15,7 @@ import numpy
 import PIL.Image
 
 import floe
-from floe import colours, fields, figures, files, histories, pictures, snapshots, svg, units
+from floe import colours, fields, figures, files, histories, pictures, planes, snapshots, svg, units
 from floe.files import Refused
 from floe.pictures import Options, Scale
 
@@ -153,6 +153,35 @@ def test_pictures_of_every_dimension():
         assert 0 < sum(mask.sum() for mask in near.values()) < sum(len(mask) for mask in near.values())
 
 
+def test_planes_that_lean():
+    """What a plane across a direction has of a box, where it lies, and the cells and points there."""
+    lower, upper = numpy.zeros(3), numpy.ones(3)
+    plane = planes.Plane.across((1, 1, 0), math.sqrt(0.5))
+    low, high = plane.extent(lower, upper)
+    assert numpy.allclose(high - low, [math.sqrt(2.0), 1.0]) and plane.names == ("(-0.707, 0.707, 0)", "z", "(1, 1, 0)")
+    flat = numpy.array([[0.3, 0.2], [-0.6, 0.9], [0.0, 1.5]])
+    place = plane.place(flat)
+    assert numpy.allclose(plane.flat(place), flat) and numpy.allclose(place[:, 0] + place[:, 1], 1.0) and numpy.allclose(place[:, 2], flat[:, 1])
+    assert numpy.linalg.det([plane.right, plane.up, plane.normal]) > 0.999  # seen from where the normal points
+    corner = planes.Plane.across((2, 2, 2), math.sqrt(3.0)).extent(lower, upper)  # touches one
+    assert numpy.allclose(corner[0], corner[1]) and planes.Plane.across((1, 1, 1), 1.8).extent(lower, upper) is None
+    values = numpy.arange(24.0).reshape(2, 3, 4)
+    shown = planes.cells_at(values, lower, upper / values.shape, place)
+    assert shown[0] == values[tuple((place[0] * values.shape).astype(int))] and math.isnan(shown[2])
+    snapshot = last(SPACE)
+    straight, leaning = (pictures.make_sheet(snapshot, Options(plane=(axis, 0.1))) for axis in ("x", (3, 0, 0)))
+    assert [len(one.place) for one in straight.bodies] == [len(one.place) for one in leaning.bodies]
+    assert numpy.allclose(straight.bodies[0].place, leaning.bodies[0].place) and "plane (3, 0, 0) at " in leaning.note, leaning.note
+
+
+def test_points_close_up():
+    """Gaps of less than a point are closed, wider ones are not; those beside an axis and a mirror are closed as the body goes on there."""
+    layer = numpy.zeros((20, 40, 4), dtype=numpy.uint8)
+    layer[4:16, 5:10] = layer[4:16, 13:20] = layer[4:16, 27:33] = [9, 8, 7, 255]
+    pictures._close_gaps(layer, 2)
+    assert (layer[6:14, 5:20] == [9, 8, 7, 255]).all() and not layer[4:16, 20:27].any() and not layer[:, :5].any() and not layer[:4].any() and not layer[16:].any()
+
+
 def test_values_of_vectors():
     """A vector by its magnitude or a component; what has a sign is known."""
     ring = last(RING)
@@ -191,6 +220,9 @@ def test_what_is_not_there_is_refused():
                            ("nothing to draw", {"points": "none", "cells": "none"}), ("in 3-D", {"plane": ("z", 0.5)})):
         refused(words, pictures.make_sheet, ring, Options(**options), status=2)
     refused("outside the domain", pictures.make_sheet, last(SPACE), Options(plane=("y", 5.0)), status=2)
+    refused("outside the domain", pictures.make_sheet, last(SPACE), Options(plane=((1, 1, 0), 5.0)), status=2)
+    refused("not all of them nothing", pictures.make_sheet, last(SPACE), Options(plane=((0, 0, 0), 5.0)), status=2)
+    refused("planes across an axis", pictures.make_sheet, last(SPACE), Options(plane=((1, 1, 0), 0.3), mirror="x"), status=2)
 
 
 def test_damaged_snapshots():

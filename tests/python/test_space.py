@@ -65,7 +65,7 @@ def test_planes():
     camera = space.Camera((0, 0), *UNIT)
     for x, shown in ((0.8, False), (0.2, True)):
         canvas = space.Canvas(camera, 100)
-        canvas.paint_plane(0, x, lambda place: numpy.column_stack([place[:, 1], place[:, 2], 0 * place[:, 1], 0 * place[:, 1] + 1]))
+        canvas.paint_plane(numpy.array([1.0, 0, 0]), x, lambda place: numpy.column_stack([place[:, 1], place[:, 2], 0 * place[:, 1], 0 * place[:, 1] + 1]))
         middle = numpy.array([[0.5, 0.5, 0.5]])
         canvas.paint_surface(middle, numpy.array([0.2]), numpy.array([[0.0, 0.0, 1.0]]))
         image = canvas.image()
