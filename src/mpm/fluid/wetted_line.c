@@ -123,7 +123,9 @@ static double ended_slip(const mpm *s)
     return s->wetted->viscous ? 1.0 : 1.0 - damping_left(s);
 }
 
-/* Removes the remaining relative velocity along the wall, also that of the mean of the line. */
+/* Removes the remaining relative velocity along the wall, also that of the mean of the line, by impulses in proportion to areas: of all that
+ * end it they take the most energy. In proportion to areas of velocities instead they add some where light and heavy nodes slip in opposite
+ * directions, and points that move along a wall swing up. */
 static void stop_slip(const mpm *s, const wetted_line *line)
 {
     mpm_wetted *w = s->wetted;
@@ -132,14 +134,14 @@ static void stop_slip(const mpm *s, const wetted_line *line)
     if (!(ended > 0.0)) return;
     for (int k = 0; k < line->n; ++k) {
         const wetted_node *m = &w->node[line->member[k]];
-        const double size = sqrt(wetted_dot(m->area, m->area));
-        for (int c = 0; c < 3; ++c) slip[c] += size * (m->v[FLUID][c] - m->v[SOLID][c]);
-        ease += size * size * recoil_of(m);
+        const double area2 = wetted_dot(m->area, m->area);
+        for (int c = 0; c < 3; ++c) slip[c] += sqrt(area2) * (m->v[FLUID][c] - m->v[SOLID][c]);
+        ease += area2 * recoil_of(m) / m->mass[FLUID];
     }
     const double along = wetted_dot(slip, line->area) / wetted_dot(line->area, line->area);
     for (int k = 0; k < line->n; ++k) {
         wetted_node *m = &w->node[line->member[k]];
-        const double share = ended * m->mass[FLUID] * sqrt(wetted_dot(m->area, m->area)) / ease;
+        const double share = ended * sqrt(wetted_dot(m->area, m->area)) / ease;
         double given[3];
         for (int c = 0; c < 3; ++c) given[c] = share * (slip[c] - along * line->area[c]);
         exchange_wall_impulse(m, given);
