@@ -84,6 +84,8 @@ for base in 0.23 0.27; do
     below "$(off "$(mean plates/history.csv 5 6 force_low_x)" 4)" 0.015
     rm -r plates
 done
+expect 0 "$FLOE" check plates.yaml
+has stderr "warning: plates.yaml:$(grep -n '^  oil:' plates.yaml | cut -d: -f1):76: materials.oil.viscosity: in 'mpm' walls drag fluid by more"
 
 # Gas and solid that do not meet.
 expect 0 "$FLOE" run "${tube[@]}" -o apart --set bodies.driven.shape='{box: {lower: 0.7, upper: 1.4}}' --set output.probes=null \
