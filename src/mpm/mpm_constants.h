@@ -100,6 +100,9 @@
 #define MPM_FULL_NODE 0.95
 /* A node with less than this share of what is filled on both sides of it is outside a body that lies on both. */
 #define MPM_HOLLOW_NODE 0.5
+/* Of the yield stress of a solid, what lines at its edges bear at most over their area. */
+#define MPM_EDGE_STRENGTH 0.05
+
 /* Bodies of the plane that meet in contact have lines at the nodes that they share, unless their stiffnesses are farther apart than this. Measured: a heavy block that
  * lies on one of 0.1 of its stiffness and density is calm, on 0.03 it swings up. */
 #define MPM_EDGE_CONTRAST 8.0

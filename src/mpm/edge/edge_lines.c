@@ -18,13 +18,14 @@ static double penalty_modulus_of(const mpm *s, int body)
     return fmin(bulk, 3.0 * shear) + 4.0 / 3.0 * shear;
 }
 
-/* |D u| (m) along an axis at which the stress of a line of full stiffness, rho c^2 |D u|/h, is that at which the body
- * flows. */
+/* |D u| (m) along an axis at which the force of a line, k |D u|, is what a share of its area bears where the body flows. Loads on a surface
+ * that has moved off its cells leave forces of some hundredths of them for the lines, whatever the penalty. */
 static double longest_of(const mpm *s, int body, int axis)
 {
     const mpm_body *b = &s->body[body];
     if (!b->law->yield_stress) return HUGE_VAL;
-    return s->mesh->h[axis] * b->law->yield_stress(b->law_par) / penalty_modulus_of(s, body);
+    const double stiffness = s->edges->penalty * penalty_modulus_of(s, body);
+    return s->mesh->h[axis] * MPM_EDGE_STRENGTH * b->law->yield_stress(b->law_par) / stiffness;
 }
 
 int edge_taps(const mpm *s)
