@@ -100,3 +100,9 @@ worst, off = max(abs(s / -1e6 - 1) for s in stress[-4:]), abs(end / (math.exp(-0
 print(worst, off)
 assert worst < 0.2 and off < 0.012
 END
+expect 0 "$FLOE" check pressed.yaml
+! grep -q 'times the strength' stderr || fault 'a warning of a weak surface'
+expect 0 "$FLOE" check pressed.yaml --set materials.metal.law.j2.yield_stress='0.1 MPa'
+has stderr "warning: pressed.yaml:$(grep -n '^  push:' pressed.yaml | cut -d: -f1):87: loads.push.traction.pressure: it is more than 8 times the strength"
+expect 0 "$FLOE" check pressed.yaml --set materials.metal.law.j2.yield_stress='0.1 MPa' --set method.basis=gimp
+! grep -q 'times the strength' stderr || fault 'a warning of a weak surface'
