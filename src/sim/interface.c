@@ -7,6 +7,7 @@
 #include "mpm/surface/boundary.h"
 #include "scene/flight.h"
 #include "scene/mass_source.h"
+#include "scene/scene_reach.h"
 #include "scene/side_parts.h"
 
 #include <limits.h>
@@ -352,6 +353,7 @@ static floe_status check_surfaces(const scene *s, const mesh *m, int fluid)
     const bool alone = count_fluids(s) == 1 || fluid < 0;
     cut_surface line;
     floe_status status = cut_create(&line, s->ctx, m);
+    line.overlap = BODIES_TOUCH; /* on a plane of the mesh their faces there are closed twice */
     if (status == FLOE_OK) status = lay_bodies(s, m, alone ? -1 : fluid, &line);
     if (status == FLOE_OK && !alone && line.n_chains + line.n_triangles == 0) status = refuse_unbounded(s, fluid);
     if (status == FLOE_OK) status = check_line(s, &line);
