@@ -56,7 +56,8 @@ typedef struct cut_cell {
     /* Scratch. In the plane crossings of each face, by axis and side; on a line those along the cell, in [0][0]; in space
      * those of the edges along each axis (cut_space.c). */
     int jump[3][4];
-    bool overlap; /* solids overlap here, or touch in one of its faces */
+    bool overlap;          /* solids overlap here, or touch in one of its faces */
+    unsigned char crossed; /* faces in which some of the boundary lies, as bits 2 axis + side; of a line none */
 } cut_cell;
 
 enum { CUT_INSIDE = -1, CUT_OUTSIDE = -2 };
@@ -121,6 +122,12 @@ static inline double cut_face(const cut_surface *c, const int cell[3], int axis,
 {
     const int at = c->at[cut_index(c->mesh, cell)];
     return at >= 0 ? c->cell[at].face[axis][side] : at == CUT_INSIDE ? 1.0 : 0.0;
+}
+/* Whether some of the boundary crosses one of a cell's faces, be it closed by that. */
+static inline bool cut_crosses(const cut_surface *c, const int cell[3], int axis, int side)
+{
+    const int at = c->at[cut_index(c->mesh, cell)];
+    return at >= 0 && c->cell[at].crossed >> (2 * axis + side) & 1;
 }
 
 #endif

@@ -50,6 +50,7 @@ static void pass(cut_surface *c, int at, int axis, int side, const double x[2], 
     const mesh *m = c->mesh;
     cut_cell *k = &c->cell[at];
     k->jump[axis][side] += direction;
+    k->crossed |= (unsigned char)(1 << (2 * axis + side));
     if (axis == 0) {
         k->face[0][side] += direction * (mesh_node(m, 1, k->cell[1] + 1) - x[1]);
         const double half = 0.5 * m->h[1], above = x[1] - mesh_centre(m, 1, k->cell[1]);

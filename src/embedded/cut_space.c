@@ -121,6 +121,7 @@ static void pass_face(cut_cell *k, const corner *p, const corner *q, int face)
         k->jump[f][2 * end + side] += (side == end ? -ends : ends);
     }
     k->face[axis][side] += sign * part;
+    k->crossed |= (unsigned char)(1 << face);
 }
 
 /* The polygon lies in the lower face of its cell, with the gas below: it bounds the cell below, whole. */

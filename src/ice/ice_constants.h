@@ -200,6 +200,8 @@
 #define ICE_GAP_DENSITY 1e-3
 /* Of a cell: a gap between solids that is thinner has the state of the gas at its end. */
 #define ICE_THIN_GAP 0.1
+/* The same of a pocket between solids in contact that is closed all round; thicker ones are chambers. */
+#define ICE_POCKET 0.01
 /* Solids in contact may overlap by this share of a cell, and the volume outside several boundaries may be wrong by that: round-off. */
 #define ICE_CONTACT_OVERLAP 1e-6
 #define ICE_OPEN_ROUND_OFF 1e-13

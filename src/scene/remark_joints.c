@@ -1,4 +1,4 @@
-/* Remarks on bodies that lie on others at the start: on such as do not deform, and in space beside a sharp interface. */
+/* Remarks on bodies that stick to others which do not deform. */
 #include "scene/remark_internal.h"
 
 #include "geom/bounds.h"
@@ -45,30 +45,9 @@ static void remark_stiff_end(remark_speaker *w, int body)
     }
 }
 
-/* In space, pockets of gas that open between two surfaces in one place may be small cut cells whose pressure throws the bodies apart. */
-static void remark_pockets(remark_speaker *w, int body)
-{
-    const scene *s = w->s;
-    const scene_body *a = &s->body[body];
-    for (int b = 0; b < body && is_solid_body(s, a) && scene_in_contact(s, body); ++b) {
-        if (!is_solid_body(s, &s->body[b]) || !scene_in_contact(s, b) || !boxes_meet(s, a, &s->body[b])) continue;
-        remark_set_key(w, "bodies", a->name, "");
-        remark_key(w,
-                   "body '%s' lies on body '%s' at the start, in contact and beside a sharp interface in space: small "
-                   "cut cells "
-                   "of gas between them may throw them apart (a block of 20 kg at rest: with 0.7 m/s, or not at all, "
-                   "by the place of their surface in its cell). Leave a gap of a cell, take method.interface: "
-                   "smeared, or leave `contact` out",
-                   a->name, s->body[b].name);
-        return;
-    }
-}
-
 void remark_joints(const scene *s, remark_sink *say, void *user)
 {
     remark_speaker w = {.s = s, .say = say, .user = user};
     const bool splines = strcmp(s->method.basis, "quadratic") == 0 || strcmp(s->method.basis, "cubic") == 0;
     for (int b = 0; s->coupling == COUPLING_MPM && splines && b < s->n_bodies; ++b) remark_stiff_end(&w, b);
-    const bool sharp = s->coupling == COUPLING_ICE_MPM && s->method.interface == INTERFACE_SHARP;
-    for (int b = 0; sharp && s->mesh.dim == 3 && b < s->n_bodies; ++b) remark_pockets(&w, b);
 }

@@ -125,14 +125,63 @@ run drawn.yaml method.basis=gimp 'contact={kind: stick}' \
 below "$(stress)" 1.002 # measured 0.9993; 0.0002
 below 0.998 "$(stress)"
 
-# In space a block in contact with what it lies on, beside a sharp interface, may be thrown up: said, and not where it is smeared.
-gas=(--set coupling=ice-mpm --set materials.rubber.specific_heat=1000 --set materials.other='{density: 1000, specific_heat: 1000, law: {linear_elastic: {bulk_modulus: 1e6, shear_modulus: 0.5e6}}}'
-    --set bodies.block.material=other --set materials.air='{eos: {ideal: {gamma: 1.4, specific_heat: 700}}}' --set ambient='{material: air, pressure: 1000, temperature: 300}'
-    --set reference_pressure=1000 --set boundaries=symmetry --set bodies.base.shape.box.upper='[0.7, 0.23, 0.4]' --set bodies.block.shape.box.lower='[0.2, 0.23, 0.125]')
-expect 0 "$FLOE" check rest_in_space.yaml "${gas[@]}"
-has stderr "body 'block' lies on body 'base' at the start, in contact and beside a sharp interface in space"
-expect 0 "$FLOE" check rest_in_space.yaml "${gas[@]}" --set method.interface=smeared
-if grep -q 'lies on body' stderr; then fault 'bodies beside a smeared interface are said to be thrown apart'; fi
+# In space a block in contact with a base on which it lies, in gas: it is not thrown up, wherever their surface lies in its cell, in its plane too. Let go under a weight
+# of 1 m/s2 a bar fixed at its foot moves with at most g L/c; here L = 0.51 m, c = 31.6 m/s at least. Before, a pocket of gas threw it up with 0.058 m/s, and the plane had a smeared interface.
+cat >rest_in_gas.yaml <<'END'
+floe: 1
+units: none
+coupling: ice-mpm
+domain: {dim: 3, lower: [0, 0, 0], upper: [0.6, 0.6, 0.6], cell: 0.1}
+boundaries: symmetry
+materials:
+  rubber: {density: 1000, specific_heat: 1000, law: {linear_elastic: {bulk_modulus: 0.67e6, shear_modulus: 0.4e6}}}
+  other: {density: 1000, specific_heat: 1000, law: {linear_elastic: {bulk_modulus: 0.67e6, shear_modulus: 0.4e6}}}
+  air: {eos: {ideal: {gamma: 1.4, specific_heat: 700}}}
+ambient: {material: air, pressure: 1e5, temperature: 300}
+reference_pressure: 1e5
+bodies:
+  base: {material: rubber, shape: {box: {lower: [0, 0, 0], upper: [0.6, 0.6, 0.31]}}}
+  block: {material: other, shape: {box: {lower: [0.2, 0.25, 0.31], upper: [0.4, 0.45, 0.51]}}}
+contact: {kind: friction}
+loads: {g: {gravity: {acceleration: [0, 0, -1]}}}
+method: {interface: sharp}
+time: {end: 0.004}
+output: {interval: 0.004, history_interval: 0.0002}
+END
+speed() { awk -F, -v of="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if (index($i, of) == 1) at = i } NR > 1 { v = $at < 0 ? -$at : $at; if (v > most) most = v } END { print most }' out/history.csv; }
+run rest_in_gas.yaml
+below "$(speed velocity_block_z)" 0.0161
+run rest_in_gas.yaml bodies.base.shape.box.upper='[0.6, 0.6, 0.3]' bodies.block.shape.box.lower='[0.2, 0.25, 0.3]' bodies.block.shape.box.upper='[0.4, 0.45, 0.5]'
+below "$(speed velocity_block_z)" 0.0161
+
+# Two halves of a plug in a tube, in contact, pushed by 1 bar: the joint leads to no gas and pockets there stay empty. After 1 ms the wave in the plug, which has come back from its free end, leaves
+# 0.423 and 0.577 m/s. Before, the run ended at 0.02 ms for a pocket with 1e-20 kg.
+cat >plug_of_two.yaml <<'END'
+floe: 1
+units: none
+coupling: ice-mpm
+domain: {dim: 3, lower: [0, 0, 0], upper: [1.2, 0.2, 0.2], cell: 0.05}
+boundaries: symmetry
+materials:
+  rubber: {density: 1000, specific_heat: 1000, law: {linear_elastic: {bulk_modulus: 0.667e8, shear_modulus: 0.4e8}}}
+  other: {density: 1000, specific_heat: 1000, law: {linear_elastic: {bulk_modulus: 0.667e8, shear_modulus: 0.4e8}}}
+  air: {eos: {ideal: {gamma: 1.4, specific_heat: 700}}}
+ambient: {material: air, pressure: 1e5, temperature: 300}
+reference_pressure: 1e5
+bodies:
+  left: {material: air, shape: {box: {lower: [0, 0, 0], upper: [0.435, 0.2, 0.2]}}, pressure: 2e5, temperature: 300}
+  base: {material: rubber, shape: {box: {lower: [0.435, 0, 0], upper: [0.535, 0.2, 0.2]}}}
+  block: {material: other, shape: {box: {lower: [0.535, 0, 0], upper: [0.635, 0.2, 0.2]}}}
+contact: {kind: friction}
+method: {interface: sharp}
+time: {end: 0.001}
+output: {interval: 0.001, history_interval: 0.001}
+END
+run plug_of_two.yaml
+below "$(speed velocity_block_x)" 0.609 # measured 0.593
+below 0.561 "$(speed velocity_block_x)"
+below "$(speed velocity_base_x)" 0.442 # measured 0.404
+below 0.385 "$(speed velocity_base_x)"
 
 # Static balance beyond yield: the matrix knows that lines of edges yield (theory 9.1). Half of a cylinder is plastic, K/G = 8; Hill's solution, outer radius
 # 4.4839e-4 larger. Before, the eight increments were cut until they ended at 1e-8 by bits of 4e-3.

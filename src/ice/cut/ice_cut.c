@@ -132,6 +132,20 @@ const ice_cut_geometry ice_embedded_geometry = {side_aperture, ice_is_merged, ic
 
 /* ---- after the points have moved ---- */
 
+/* A cut cell without gas at the start of the step, covered or a pocket between solids that no gas has reached. */
+static bool is_empty(const ice *s, const ice_merged_cells *p, const int cell[3])
+{
+    const int member = p->place[cut_index(s->mesh, cell)];
+    return member >= 0 && p->member[member].open == 0.0;
+}
+
+/* Whether a lower face lies between two such: nothing passes from one to another. */
+static bool divides_empty(const ice *s, const ice_merged_cells *p, const int cell[3], int axis)
+{
+    int below[3] = {cell[0], cell[1], cell[2]};
+    return below[axis]-- > 0 && is_empty(s, p, cell) && is_empty(s, p, below);
+}
+
 /* Share of the lower face of a local cell that is open to the gas in the mean of the step; beyond the last cell, of its
  * upper face. A cell that no boundary cuts at any time of the step is open or closed throughout it. */
 static double mean_open(const ice *s, const ice_merged_cells *p, const block *b, int axis, int i, int j, int k)
@@ -141,6 +155,7 @@ static double mean_open(const ice *s, const ice_merged_cells *p, const block *b,
         cell[axis]--;
         side = SIDE_UPPER;
     }
+    if (side == SIDE_LOWER && divides_empty(s, p, cell, axis)) return 0.0;
     const int member = p->place[cut_index(s->mesh, cell)];
     return member >= 0 ? p->member[member].face[axis][side] : ice_open_cell(s, p->region->number, CUT_NOW, cell);
 }

@@ -331,6 +331,58 @@ static void join_thin_gaps(const ice *s, const step_places *l, ice_merged_cells 
     }
 }
 
+/* Whether a boundary about a region crosses a face at some time of the step. */
+static bool is_crossed(const ice *s, const step_places *l, int region, const int cell[3], int axis, int side)
+{
+    for (int b = 0; b < s->embedded.n_boundaries; ++b)
+        for (int n = 0; n < l->n && ice_outward(s, region, b) != 0.0; ++n)
+            if (cut_crosses(&s->embedded.boundary[b].place[l->at[n]], cell, axis, side)) return true;
+    return false;
+}
+
+/* A pocket of gas between solids in contact, with a state of its own. */
+static bool is_pocket(const ice_merged_cells *p, int k)
+{
+    return p->member[k].merged == k && p->member[k].open > 0.0 && p->member[k].open < ICE_POCKET;
+}
+
+/* To where the joint leads from a member, by what its neighbours know; -1: not known yet. */
+static int along_joint(const ice *s, const step_places *l, const ice_merged_cells *p, int k)
+{
+    const ice_member *m = &p->member[k];
+    for (int f = 0; f < 2 * s->mesh->dim; ++f) {
+        int cell[3] = {m->cell[0], m->cell[1], m->cell[2]};
+        cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
+        if (!is_in_domain(s->mesh, cell)) continue;
+        const int other = p->place[cut_index(s->mesh, cell)];
+        if (other >= 0 && p->lead[other] >= 0 && is_crossed(s, l, p->region->number, m->cell, f / 2, f % 2))
+            return p->lead[other];
+    }
+    return -1;
+}
+
+/* A pocket that is closed all round follows its walls as little as a thin gap does, and is as thin as solids in contact leave it: it has the state of the gas
+ * at the end of the joint, which leads there through faces that surfaces cross, closed or not. */
+static void join_pockets(const ice *s, const step_places *l, ice_merged_cells *p)
+{
+    bool found = false;
+    for (int k = 0; k < p->n && !found; ++k) found = is_pocket(p, k);
+    for (int k = 0; k < p->n && found; ++k) p->lead[k] = is_thin(p, end_of_chain(p, k)) ? -1 : k;
+    while (found) {
+        found = false;
+        for (int k = 0; k < p->n; ++k) {
+            const int to = p->lead[k] == -1 ? along_joint(s, l, p, k) : -1;
+            if (to < 0) continue;
+            p->lead[k] = -2 - to; /* its neighbours see it in the next round */
+            found = true;
+        }
+        for (int k = 0; k < p->n; ++k)
+            if (p->lead[k] < -1) p->lead[k] = -2 - p->lead[k];
+    }
+    for (int k = 0; k < p->n; ++k)
+        if (is_pocket(p, k) && p->lead[k] >= 0) p->member[k].merged = p->lead[k];
+}
+
 /* Numbers the merged cells from the chains of members. */
 static void number_merged_cells(ice_merged_cells *p)
 {
@@ -366,6 +418,7 @@ floe_status ice_merge_cells(ice *s, ice_merge_time when, ice_merged_cells *out)
     for (int k = 0; k < l.n; ++k) TRY(add_cut_cells(s, l.at[0], l.at[k], out));
     for (int k = 0; k < out->n; ++k) TRY(root_member(s, &l, out, k));
     join_thin_gaps(s, &l, out);
+    join_pockets(s, &l, out);
     number_merged_cells(out);
     if (ice_has_weight(s) || ice_sees_walls(s)) ice_merged_centre(s, l.at[0], out);
     return FLOE_OK;

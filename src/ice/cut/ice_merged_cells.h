@@ -160,6 +160,8 @@ void ice_stick_covered(const ice *s, const ice_region *g);
 bool ice_keeps_sticking(const ice *s, const ice_merged_cells *p, const ice_member *m);
 /* Advection in the velocities of faces beside cells that walls cut, if so (ice_merged_advance.c). */
 void ice_merged_advance(const ice *s, const ice_region *g);
+/* Whether no gas has reached a merged cell of so much volume (m3) and mass (kg), beside a cell's volume and the density of the thinnest fluid at the start. */
+bool ice_is_void(double cell, double volume, double mass, double density, bool next);
 /* Advection of a region, and its first states, after which the members of a merged cell have one state (ice_merged_contents.c). */
 floe_status ice_advect_merged(ice *s, const ice_region *g);
 floe_status ice_start_merged(ice *s, const ice_region *g);

@@ -72,17 +72,21 @@ floe_status ice_bad_merged_cells(const ice *s, const ice_merged_cells *p, int me
                       : "");
 }
 
-/* Merged cells that no gas has reached: a gap between bodies in contact, closed to all others. It opens by round-off
- * where their surfaces, straight between different markers, lie on one another, and may grow; at the start only such
- * small volume fractions are none's. */
+/* A gap between bodies in contact, closed to all others, opens by round-off where their surfaces, straight between different markers, lie on one another, and
+ * may grow. At the start it holds nothing, though a fluid may fill its place in the scene; advection leaves round-off in it. */
+bool ice_is_void(double cell, double volume, double mass, double density, bool next)
+{
+    const bool small = volume < ICE_GAP_FRACTION * cell;
+    if (!next) return small;
+    return fabs(mass) <= ICE_OPEN_ROUND_OFF * density * cell ||
+           (small && fabs(mass) <= ICE_GAP_DENSITY * density * volume);
+}
+
 static bool is_void(const ice *s, const ice_merged_cells *p, int merged, bool next)
 {
     const double *sum = p->sum + (size_t)merged * MERGED_SUMS;
-    const double cell = mesh_cell_volume(s->mesh, p->member[p->lead[merged]].cell[0]);
-    if (sum[MERGED_MASS] == 0.0 && next) return true;
-    return sum[MERGED_VOLUME] < ICE_GAP_FRACTION * cell &&
-           fabs(sum[MERGED_MASS]) <=
-               ICE_GAP_DENSITY * s->cut_cells->rest[p->region->number].density * sum[MERGED_VOLUME];
+    return ice_is_void(mesh_cell_volume(s->mesh, p->member[p->lead[merged]].cell[0]), sum[MERGED_VOLUME],
+                       sum[MERGED_MASS], s->cut_cells->rest[p->region->number].density, next);
 }
 
 static void empty_cell(const ice_fluid *m, int dim, ptrdiff_t at, bool next)

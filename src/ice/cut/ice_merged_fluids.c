@@ -318,8 +318,7 @@ static floe_status settle_merged(ice *s, ice_merged_cells *p, int merged, bool n
         thinnest = fmin(thinnest, s->cut_cells->usual[g->first + r]);
     }
     const double volume = sum[MERGED_VOLUME], cell = mesh_cell_volume(s->mesh, lead->cell[0]);
-    if (all == 0.0 && next) sum[MERGED_VOLUME] = 0.0;
-    if (volume < ICE_GAP_FRACTION * cell && fabs(all) <= ICE_GAP_DENSITY * thinnest * volume) sum[MERGED_VOLUME] = 0.0;
+    if (ice_is_void(cell, volume, all, thinnest, next)) sum[MERGED_VOLUME] = 0.0;
     if (sum[MERGED_VOLUME] == 0.0 && (volume > 0.0 || all == 0.0)) return FLOE_OK;
     for (int r = 0; r < g->n; ++r) {
         const remains q = {s,

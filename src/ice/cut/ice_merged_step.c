@@ -148,6 +148,13 @@ static void still_elsewhere(const ice *s, const ice_merged_cells *p)
     }
 }
 
+/* Where no gas is, between solids in contact, nothing pushes them beside the contact, whose stress is against the reference pressure. */
+static void fill_void(const ice *s, const ice_view *v, ptrdiff_t at)
+{
+    v->dP[at] = 0.0;
+    v->P[at] = s->scene->reference_pressure;
+}
+
 void ice_merged_increment(const ice *s, const ice_region *g)
 {
     ice_merged_cells *p = ice_merged_cells_of(s, g);
@@ -158,8 +165,12 @@ void ice_merged_increment(const ice *s, const ice_region *g)
         const ice_member *m = &p->member[k], *lead = &p->member[p->lead[m->merged]];
         const ice_view *v = ice_member_view(s, m), *of = ice_member_view(s, lead);
         const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        if (!(sum[MERGED_VOLUME] > 0.0)) {
+            fill_void(s, v, m->at);
+            continue;
+        }
         const double rho = of->rho_sum[lead->at], c = ice_merged_sound(of, lead->at);
-        const double div = sum[MERGED_VOLUME] > 0.0 ? sum[MERGED_FLUX] / sum[MERGED_VOLUME] : 0.0;
+        const double div = sum[MERGED_FLUX] / sum[MERGED_VOLUME];
         const double squeeze = div < 0.0 ? -v->finest * div : 0.0, dP = -s->dt * div * rho * c * c;
         v->dP[m->at] = dP;
         const double p0 = ice_has_weight(s) ? v->p[m->at] : of->p[lead->at];
