@@ -29,6 +29,7 @@ typedef struct cut_piece {
         [3]; /* it lies between these: in the order of the polyline, or the corners of its triangle; of a point both are it */
     double weight[3]; /* of these vertices at the middle of the piece; as many as the mesh has dimensions */
     double area[3];   /* m2 (per metre, per radian): area vector, outward from the enclosed gas */
+    int through; /* 1 + 2 axis + side of the face of this cell through which it reaches it, from the cell in which it lies; 0: it lies in this one */
 } cut_piece;
 
 /* One polyline; in one dimension, a point. */

@@ -43,6 +43,8 @@ floe_status cut_close_contacts(cut_surface *c);
 typedef floe_status cut_finisher(cut_surface *c, cut_cell *k);
 /* Cells without volume around corners of solids are no passage (cut_corner.c); `finish` is for cells that become cut by that. In the plane. */
 floe_status cut_free_corners(cut_surface *c, cut_finisher *finish);
+/* Pieces behind faces that corners of solids shade, in part those of the cells in front of them (cut_shade.c). In the plane. */
+floe_status cut_shade_corners(cut_surface *c, cut_finisher *finish);
 /* Nodes of the mesh, and number of one in `node`. */
 int cut_nodes(const mesh *m);
 static inline ptrdiff_t cut_node(const mesh *m, const int node[3])

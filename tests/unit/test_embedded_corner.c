@@ -1,7 +1,10 @@
-/* Corners of bodies that lie on faces of the mesh (src/embedded/cut_corner.c): which cell has which piece, and what of the faces is open. */
+/* Corners of bodies, on faces of the mesh (src/embedded/cut_corner.c) and within cells (src/embedded/cut_shade.c): which cell has which piece, and what of the
+ * faces is open. */
 #include "check.h"
 
 #include "embedded/cut.h"
+
+#include <math.h>
 
 /* A mesh of 16 by 16 cells, and a surface to lay into it. */
 static context *begin(mesh *m, cut_surface *c)
@@ -102,8 +105,63 @@ static void test_end_within(void **unused)
     end(ctx, &c);
 }
 
+/* What a piece that lies in one cell has of the area of another, along an axis. */
+static double handed(const cut_surface *c, const int cell[3], int axis)
+{
+    double sum = 0.0;
+    for (int n = 0; n < c->n_pieces; ++n) {
+        const cut_cell *of = &c->cell[c->piece[n].cell];
+        if (c->piece[n].through > 0 && of->cell[0] == cell[0] && of->cell[1] == cell[1]) sum += c->piece[n].area[axis];
+    }
+    return sum;
+}
+
+/* A block whose upper right corner lies within a cell, half way along and 0.92 of its height up, by theory 7.2: of the face beyond its end 0.92 (1 - 0.5) is
+ * closed and belongs to the cell behind it, of that above it 0.5 (1 - 0.08). A round body has no corner. */
+static void test_corner_within(void **unused)
+{
+    (void)unused;
+    mesh m;
+    cut_surface c;
+    context *ctx = begin(&m, &c);
+    static const double corner[4][2] = {{0.26, 0.26}, {0.26, 0.7450}, {0.53125, 0.7450}, {0.53125, 0.26}};
+    static const int in[3] = {8, 11}, beyond[3] = {9, 11}, above[3] = {8, 12};
+    for (int k = 0; k < 4; ++k) c.vertex[k] = (cut_vertex){{corner[k][0], corner[k][1]}, k, 0};
+    check_ok(ctx, cut_find(&c));
+    check_all_closed(&c);
+    check_close(open_volume(&c), 1.0 - 0.27125 * 0.485, 1e-14);
+    check_close(cut_open(&c, in), 0.54, 1e-13);
+    check_close(cut_face(&c, in, 0, SIDE_UPPER), 0.54, 1e-13);
+    check_close(cut_face(&c, beyond, 0, SIDE_LOWER), 0.54, 1e-13);
+    check_close(cut_face(&c, in, 1, SIDE_UPPER), 0.54, 1e-13);
+    check_close(cut_face(&c, above, 1, SIDE_LOWER), 0.54, 1e-13);
+    check_close(handed(&c, beyond, 0), -0.46 * 0.0625, 1e-14);
+    check_close(handed(&c, above, 1), -0.46 * 0.0625, 1e-14);
+    end(ctx, &c);
+}
+
+static void test_round(void **unused)
+{
+    (void)unused;
+    enum { N = 96 };
+    mesh m;
+    cut_surface c;
+    context *ctx = begin(&m, &c);
+    check_ok(ctx, cut_reserve(&c, N, 1));
+    c.chain[0] = (cut_chain){0, N, true, 0};
+    for (int k = 0; k < N; ++k) {
+        const double angle = -2.0 * 3.14159265358979323846 * k / N;
+        c.vertex[k] = (cut_vertex){{0.503 + 0.2 * cos(angle), 0.507 + 0.2 * sin(angle)}, k, 0};
+    }
+    check_ok(ctx, cut_find(&c));
+    check_all_closed(&c);
+    for (int n = 0; n < c.n_pieces; ++n) check_true(c.piece[n].through == 0);
+    end(ctx, &c);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_corner), cmocka_unit_test(test_end_within)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_corner), cmocka_unit_test(test_end_within),
+                                       cmocka_unit_test(test_corner_within), cmocka_unit_test(test_round)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -94,7 +94,7 @@ static double collide(bool gas, double h)
     const double v[2] = {velocity_of(&t, 0, 0), velocity_of(&t, 1, 0)};
     print_message("h %g, %s: %.4f and %.4f m/s\n", h, gas ? "thin gas" : "no gas", v[0], v[1]);
     check_close(v[0], -v[1], 1.2e-4);
-    if (gas) check_ledger(&t, 6e-11);
+    if (gas) check_ledger(&t, 1.7e-10);
     trial_end(&t);
     return v[0];
 }

@@ -4,6 +4,7 @@
  * the step; and the state of a gas is extrapolated into cells without it, for the differences near the boundary.
  * Nothing crosses the boundary, whatever the step, the mesh or the pressures. */
 #include "ice/cut/ice_merged_cells.h"
+#include "ice/cut/ice_merged_pieces.h"
 #include "ice/cut/ice_wall_flow.h"
 
 #include "ice/equilibrium/ice_equilibrium.h"
@@ -204,6 +205,7 @@ static floe_status find_sources(ice *s, const ice_region *g)
         ice_find_temperatures(s, g);
     ice_find_sources(s, g);
     ice_merged_sources(s, g);
+    ice_merged_sweep(s, g);
     TRY(ice_finish_sources(s, g));
     return g->n > 1 ? exchange_among(s, g) : FLOE_OK;
 }

@@ -57,6 +57,33 @@ double ice_along_area(const ice_piece_walk *w, const double *vertex)
     return w->outward * sum;
 }
 
+/* Adds a volume flux (m3/s, outward on the upper side) to a member's face, in all blocks that have it. */
+static void add_to_face(const ice *s, const ice_member *m, int axis, int side, double flux)
+{
+    const double velocity = (side == SIDE_UPPER ? flux : -flux) / ice_member_area(s, m, axis, side);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->cut_cells->view[id];
+        const block *b = v->b;
+        int at[3] = {m->cell[0] - b->lo[0], m->cell[1] - b->lo[1], m->cell[2] - b->lo[2]};
+        at[axis] += side == SIDE_UPPER;
+        bool has = true;
+        for (int a = 0; a < s->mesh->dim; ++a) has = has && at[a] >= 0 && at[a] < b->n[a] + (a == axis);
+        if (!has) continue;
+        const ptrdiff_t face = mesh_index(b, at[0], at[1], at[2]);
+        for (int r = 0; r < v->n_materials; ++r) v->m[r].fu[axis][face] += velocity;
+        if (v->multi) v->flux[axis][face] += velocity;
+    }
+}
+
+void ice_merged_sweep(const ice *s, const ice_region *g)
+{
+    for (ice_piece_walk w = ice_first_piece(s, ice_merged_cells_of(s, g)); ice_next_piece(&w);) {
+        const int face = w.piece->through - 1;
+        if (face < 0) continue;
+        add_to_face(s, w.member, face / 2, face % 2, w.weight * ice_along_area(&w, w.line->path) / s->dt);
+    }
+}
+
 /* What the increment of ice_merged_step.c makes of more flux. */
 static void set_wall_cell(const ice *s, const ice_merged_cells *p, int merged, wall_cell *out)
 {

@@ -24,6 +24,10 @@ double ice_at_middle(const cut_piece *q, int dim, const double *vertex, int a);
 /* The same along the piece's area, outward from the current gas. */
 double ice_along_area(const ice_piece_walk *w, const double *vertex);
 
+/* What pieces sweep of the cells in which they lie, where they belong to those in front of them, passes the faces between (cut_piece.through): into the
+ * faces' velocities, which move volumes of the whole face by now. */
+void ice_merged_sweep(const ice *s, const ice_region *g);
+
 ice_merged_cells *ice_merged_cells_of(const ice *s, const ice_region *g);
 /* Speed of sound (m/s) of all fluids of a cell together. */
 double ice_merged_sound(const ice_view *v, ptrdiff_t at);

@@ -114,6 +114,9 @@ void ice_merged_centring(const ice *s, const ice_region *g)
     for (int k = 0; k < p->n; ++k)
         if (!(stick && is_one_cell(s, p, p->member[k].merged)))
             ice_member_view(s, &p->member[k])->shock[p->member[k].at] = 1.0;
+    /* A whole cell that has pieces of its neighbour, as cells that walls cut (theory 7.2). */
+    for (ice_piece_walk w = ice_first_piece(s, p); ice_next_piece(&w);)
+        if (w.piece->through > 0) ice_member_view(s, w.member)->shock[w.member->at] = 1.0;
 }
 
 void ice_merged_fluxes(const ice *s, ice_merged_cells *p)
