@@ -60,12 +60,24 @@ static bool find_thin_on_line(const cut_surface *c, double x[3])
     return false;
 }
 
+/* A piece with the direction that its segment has, of which it may have given a part away (cut_shade.c). */
+static cut_piece along_segment(const cut_surface *c, const cut_piece *q)
+{
+    const double *from = c->vertex[q->vertex[0]].x, *to = c->vertex[q->vertex[1]].x;
+    cut_piece whole = *q;
+    whole.area[0] = to[1] - from[1];
+    whole.area[1] = from[0] - to[0];
+    return whole;
+}
+
 static bool find_thin_in_plane(const cut_surface *c, double x[3])
 {
     for (int n = 0; n < c->n_pieces; ++n)
         for (int k = n + 1; k < c->n_pieces; ++k) {
             const cut_piece *q = &c->piece[n], *r = &c->piece[k];
-            if (q->cell != r->cell || is_near_along(q, r) || !are_back_to_back(c, q, r)) continue;
+            if (q->cell != r->cell || q->through > 0 || r->through > 0 || is_near_along(q, r)) continue;
+            const cut_piece own = along_segment(c, q), other = along_segment(c, r);
+            if (!are_back_to_back(c, &own, &other)) continue;
             middle_of(c, q, x);
             return true;
         }
