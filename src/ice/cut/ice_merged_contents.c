@@ -78,7 +78,7 @@ bool ice_is_void(double cell, double volume, double mass, double density, bool n
 {
     const bool small = volume < ICE_GAP_FRACTION * cell;
     if (!next) return small;
-    return fabs(mass) <= ICE_OPEN_ROUND_OFF * density * cell ||
+    return fabs(mass) <= ICE_GAP_ROUND_OFF * density * cell ||
            (small && fabs(mass) <= ICE_GAP_DENSITY * density * volume);
 }
 
