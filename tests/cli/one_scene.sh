@@ -18,8 +18,8 @@ near() {
         fault "$1 is not within $3 of $2"
 }
 
-# The starter: gas of points fills the box as cells do, none of it is lost, and the block goes the same way: 4.7 % less
-# far beside points, measured.
+# The starter: gas of points fills the box as cells do, none of it is lost, and the block goes the same way: as far on cells of half the size (0.9 % less
+# with the coarse ones; with cells of 0.01 m 1.166 mm), 11.9 % less far beside points, measured.
 expect 0 "$FLOE" new 'Block in a blast'
 mv stdout block.yaml
 for coupling in mpm ice-mpm; do
@@ -29,7 +29,10 @@ for coupling in mpm ice-mpm; do
 done
 [ "$(json mpm/summary.json points_lost)" = 0 ] || fault 'points are lost'
 near "$(awk -v a="$(value mpm centre_block_x last)" 'BEGIN { print a - 0.5 }')" \
-    "$(awk -v a="$(value ice-mpm centre_block_x last)" 'BEGIN { print a - 0.5 }')" 0.09
+    "$(awk -v a="$(value ice-mpm centre_block_x last)" 'BEGIN { print a - 0.5 }')" 0.13
+expect 0 "$FLOE" run block.yaml --coupling ice-mpm --set domain.cell=0.05 -o coarse
+near "$(awk -v a="$(value coarse centre_block_x last)" 'BEGIN { print a - 0.5 }')" \
+    "$(awk -v a="$(value ice-mpm centre_block_x last)" 'BEGIN { print a - 0.5 }')" 0.015
 
 # Fluids yield to solids and to the fluids before them; exact masses: 0.36 and 0.64 - 0.09 pi of a gas of 1.1614401858 kg/m3.
 cat >lap.yaml <<'END'
