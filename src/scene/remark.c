@@ -302,6 +302,7 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
 {
     remark_swinging_pressure(s, say, user);
     remark_soft_walls(s, say, user);
+    remark_moved(s, say, user);
     remark_knots(s, say, user);
     scene_remark_unused(s, say, user);
     remark_shapes(s, say, user);

@@ -43,6 +43,9 @@ void remark_heat(const scene *s, remark_sink *say, void *user);
 /* Of solids that stick to bodies which do not deform. */
 void remark_joints(const scene *s, remark_sink *say, void *user);
 
+/* Of surfaces of solids that fluids on points push over their cells. */
+void remark_moved(const scene *s, remark_sink *say, void *user);
+
 /* Of magnitudes and times that are hardly what was meant. */
 void remark_range(const scene *s, remark_sink *say, void *user);
 /* Of gases beside other gases, of what is behind sides, and of ramps. */
