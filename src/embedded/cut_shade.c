@@ -16,6 +16,8 @@
 static const double hardly_turned = 0.8660254037844387, sharp = 0.5;
 /* A cell that is open by less is merged with a neighbour, whose pieces its own are. */
 static const double small_cell = 0.5;
+/* Neighbours that differ by less are alike, and the first is taken. */
+static const double alike = 1e-3;
 
 /* Pieces by their cells, as lists, and what of each goes through the lower and upper face along each axis. */
 typedef struct shade {
@@ -60,7 +62,7 @@ static int way_out(const cut_surface *c, const cut_cell *k)
         if (!behind_face(c, k, f, cell)) continue;
         const int at = c->at[cut_index(c->mesh, cell)];
         const double score = (at >= 0 ? c->cell[at].open : 1.0) * k->face[f / 2][f % 2];
-        if (!(score > best)) continue;
+        if (!(score > (1.0 + alike) * best)) continue;
         best = score;
         out = f;
     }

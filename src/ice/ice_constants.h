@@ -204,6 +204,8 @@
 #define ICE_POCKET 0.01
 /* Solids in contact may overlap by this share of a cell, and the volume outside several boundaries may be wrong by that: round-off. */
 #define ICE_CONTACT_OVERLAP 1e-6
+/* Neighbours with which a small cell may be merged are alike up to this share. */
+#define ICE_ALIKE 1e-3
 /* Mass that advection leaves in cells between solids in contact is round-off up to this share of that of a whole cell. */
 #define ICE_GAP_ROUND_OFF 1e-11
 #define ICE_OPEN_ROUND_OFF 1e-13

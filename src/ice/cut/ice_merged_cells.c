@@ -226,7 +226,8 @@ static bool find_neighbour(const ice *s, const ice_region *g, int place, int thr
         const double open = fluid_volume_of_cell(s, g, place, cell);
         const double score =
             open * ice_open_face(s, g->number, through, k->cell, f / 2, f % 2) * likeness(s, g, k, cell);
-        if (!(open > k->open) || !(score > best)) continue;
+        /* Of two alike the first: chosen by round-off, the host would change from step to step, and what one has too much go to the other. */
+        if (!(open > k->open) || !(score > (1.0 + ICE_ALIKE) * best)) continue;
         best = score;
         memcpy(out, cell, sizeof cell);
     }
