@@ -135,7 +135,7 @@ int main(int argc, char **argv)
     argp_err_exit_status = status_exit(FLOE_BAD_INPUT);
     argp_program_version_hook = print_version;
     argp_parse(&top_argp, argc, argv, ARGP_IN_ORDER, NULL, &t);
-    if (t.command && t.command->ends_in_order) cli_let_threads_sleep(argv);
+    if (!t.key && t.command->ends_in_order) cli_let_threads_sleep(argv);
 
     cli c = {.floe = floe_create(),
              .ctx = context_create(),
