@@ -407,18 +407,18 @@ def _paint_points(sheet: Sheet, body: Points, image: numpy.ndarray, ranges, kind
     per = numpy.array([width, height]) / (sheet.upper - sheet.lower)
     at, side = (body.place - sheet.lower) * per, body.edge * per[0]
     fine = numpy.isfinite(at).all(axis=1) & numpy.isfinite(side)
-    if not fine.any():
-        return
     with numpy.errstate(invalid="ignore"):
         side = numpy.clip(numpy.where(fine, side, 0) + 1, 2, max(width, height))
         fine &= ((at > -side[:, None]) & (at < [width, height] + side[:, None])).all(axis=1)
+    if not fine.any():
+        return
     none = colours.POINT_DARK if sheet.options.dark else colours.POINT
     grey = [int(none[k:k + 2], 16) for k in (1, 3, 5)] + [255]
     rgba = numpy.tile(numpy.array(grey, dtype=numpy.uint8), (len(at), 1))
     if body.values is not None:
         coloured = _colour(body.values, ranges[body.scale], kinds[body.scale], sheet.options.dark)
         rgba = numpy.where(coloured[:, 3:] > 0, coloured, rgba)
-    reach = int(numpy.clip(numpy.median(side[fine]) // 2, 0, _CLOSED)) if fine.any() else 0
+    reach = int(numpy.clip(numpy.median(side[fine]) // 2, 0, _CLOSED))
     # Beyond an axis and a mirror, images of the first points: a body goes on there.
     beyond = [reach + 1 if sheet.axes[k] == "r" or "xy"[k] in sheet.options.mirror else 0 for k in (0, 1)]
     layer = numpy.zeros((height + beyond[1], width + beyond[0], 4), dtype=numpy.uint8)

@@ -279,8 +279,10 @@ floe_status cut_find(cut_surface *c)
     TRY(mark_nodes(c));
     if (m->dim == 3) TRY(cut_finish_in_space(c));
     for (int k = 0; k < c->n_cells && m->dim < 3; ++k) TRY(finish_cell(c, &c->cell[k]));
-    if (c->overlap > 0.0 && m->dim == 2) TRY(cut_free_corners(c, finish_cell));
-    if (c->overlap > 0.0 && m->dim == 2) TRY(cut_shade_corners(c, finish_cell));
+    if (c->overlap > 0.0 && m->dim == 2) {
+        TRY(cut_free_corners(c, finish_cell));
+        TRY(cut_shade_corners(c, finish_cell));
+    }
     for (int k = 0; k < m->n[2]; ++k)
         for (int j = 0; j < m->n[1]; ++j)
             for (int i = 0; i < m->n[0]; ++i) {

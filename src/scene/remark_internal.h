@@ -19,6 +19,8 @@ void remark_set_key(remark_speaker *w, const char *map, const char *name, const 
 
 /* A solid with a law of its own: no membrane. */
 bool remark_is_solid(const scene_material *m);
+/* Whether the points' basis is one of splines. */
+bool remark_has_splines(const scene *s);
 /* Speed of waves of compression in such a solid, m/s. */
 double remark_solid_sound(const scene_material *m);
 

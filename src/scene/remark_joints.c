@@ -5,8 +5,6 @@
 #include "scene/scene_motion.h"
 #include "scene/scene_reach.h"
 
-#include <string.h>
-
 static bool is_bounded(const scene *s, const scene_body *b)
 {
     double lo[3], hi[3];
@@ -48,6 +46,6 @@ static void remark_stiff_end(remark_speaker *w, int body)
 void remark_joints(const scene *s, remark_sink *say, void *user)
 {
     remark_speaker w = {.s = s, .say = say, .user = user};
-    const bool splines = strcmp(s->method.basis, "quadratic") == 0 || strcmp(s->method.basis, "cubic") == 0;
-    for (int b = 0; s->coupling == COUPLING_MPM && splines && b < s->n_bodies; ++b) remark_stiff_end(&w, b);
+    for (int b = 0; s->coupling == COUPLING_MPM && remark_has_splines(s) && b < s->n_bodies; ++b)
+        remark_stiff_end(&w, b);
 }

@@ -5,7 +5,6 @@
 #include "scene/scene_motion.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Cells that a pressure from inside moves the surface of a body by, as far as its size tells: p b / (4 G) of a thick sphere that keeps its
  * volume, and within a quarter that of a bar in uniaxial strain. */
@@ -27,9 +26,8 @@ static double cells_moved(const scene *s, const scene_body *b, double pressure)
 void remark_moved(const scene *s, remark_sink *say, void *user)
 {
     const double far = 0.3, pressure = fabs(scene_gas_pressure(s) - s->reference_pressure);
-    const bool splines = strcmp(s->method.basis, "quadratic") == 0 || strcmp(s->method.basis, "cubic") == 0;
     remark_speaker w = {.s = s, .say = say, .user = user};
-    if (!splines || s->time.solver != SOLVER_DYNAMIC || !(scene_gas_pressure(s) > 0.0)) return;
+    if (!remark_has_splines(s) || s->time.solver != SOLVER_DYNAMIC || !(scene_gas_pressure(s) > 0.0)) return;
     for (int k = 0; k < s->n_bodies; ++k) {
         const scene_body *b = &s->body[k];
         if (!remark_is_solid(&s->material[b->material]) || !b->shape.model || b->motion.kind != MOTION_BY_LAW) continue;

@@ -29,6 +29,11 @@ void remark_set_key(remark_speaker *w, const char *map, const char *name, const 
     (void)snprintf(w->key, REMARK_KEY, "%s.%s%s%s", map, name, rest[0] ? "." : "", rest);
 }
 
+bool remark_has_splines(const scene *s)
+{
+    return strcmp(s->method.basis, "quadratic") == 0 || strcmp(s->method.basis, "cubic") == 0;
+}
+
 bool remark_is_solid(const scene_material *m)
 {
     return m->kind == MATERIAL_SOLID && m->law && !m->membrane;

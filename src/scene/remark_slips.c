@@ -218,11 +218,10 @@ static void remark_weak_surface(remark_speaker *w, const scene_load *load, const
     const double weak = 8.0;
     const scene *s = w->s;
     const scene_body *b = &s->body[load->body];
-    const bool splines = strcmp(s->method.basis, "quadratic") == 0 || strcmp(s->method.basis, "cubic") == 0;
     int fewest = b->per_cell[0];
     for (int a = 1; a < s->mesh.dim; ++a)
         if (b->per_cell[a] < fewest) fewest = b->per_cell[a];
-    if (!splines || fewest > 3 || !m->law->yield_stress) return;
+    if (!remark_has_splines(s) || fewest > 3 || !m->law->yield_stress) return;
     const double strength = m->law->yield_stress(m->law_par);
     if (fabs(load->target) > weak * strength)
         remark_key(w,

@@ -156,9 +156,9 @@ static double mean_open(const ice *s, const ice_merged_cells *p, const block *b,
         cell[axis]--;
         side = SIDE_UPPER;
     }
-    if (side == SIDE_LOWER && divides_empty(s, p, cell, axis)) return 0.0;
     const int member = p->place[cut_index(s->mesh, cell)];
-    return member >= 0 ? p->member[member].face[axis][side] : ice_open_cell(s, p->region->number, CUT_NOW, cell);
+    if (member < 0) return ice_open_cell(s, p->region->number, CUT_NOW, cell);
+    return side == SIDE_LOWER && divides_empty(s, p, cell, axis) ? 0.0 : p->member[member].face[axis][side];
 }
 
 /* From velocities of the gas to volume fluxes per area of the whole face. */
