@@ -11,6 +11,17 @@ enum {
     SHA256_TEXT = 2 * SHA256_SIZE + 1 /* characters of one in hexadecimal, with the NUL */
 };
 
+/* Of bytes that come one after the other: begin, add, finish. Where a call fails (FLOE_NO_MEMORY), or the sum is left before its
+ * end, sha256_abandon frees it. */
+typedef struct sha256 {
+    context *ctx; /* not owned */
+    void *state;  /* OpenSSL's; owned */
+} sha256;
+floe_status sha256_begin(sha256 *sum, context *ctx);
+floe_status sha256_add(sha256 *sum, const void *data, size_t size);
+floe_status sha256_finish(sha256 *sum, unsigned char digest[SHA256_SIZE]);
+void sha256_abandon(sha256 *sum);
+
 typedef struct sha256_part {
     const void *data;
     size_t size; /* bytes */

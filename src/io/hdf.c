@@ -1,15 +1,16 @@
 #include "io/hdf.h"
 
 #include "base/memory.h"
+#include "io/hdf_driver.h"
 #include "io/hdf_whole.h"
 
 #include <string.h>
 
 enum { MEMORY_INCREMENT = 1 << 20 }; /* bytes by which a file in memory grows */
 
-/* The name under which HDF5 knows a file in memory. It looks for a file of that name first, so there must never be
- * one. */
-static const char memory_name[] = "/dev/null/floe";
+/* The name under which HDF5 knows a file, which floe opens itself. It looks for a file of that name first, so there must never
+ * be one. */
+static const char own_name[] = "/dev/null/floe";
 
 typedef struct complaint {
     char text[400];
@@ -47,13 +48,20 @@ static hid_t memory_access(void)
     return access;
 }
 
-floe_status hdf_create(hdf_file *out, context *ctx, const char *name)
+floe_status hdf_create(hdf_file *out, new_file *file, uint64_t at)
 {
-    *out = (hdf_file){.ctx = ctx, .name = name, .id = H5I_INVALID_HID};
-    const hid_t access = memory_access();
-    out->id = H5Fcreate(memory_name, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    *out = (hdf_file){.ctx = file->ctx, .name = file->path, .id = H5I_INVALID_HID};
+    const hid_t access = hdf_driver_access(file, at);
+    out->id = H5Fcreate(own_name, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     (void)H5Pclose(access);
-    return out->id < 0 ? hdf_fail(out, "make a file in memory for", name) : FLOE_OK;
+    return out->id < 0 ? hdf_fail(out, "make", out->name) : FLOE_OK;
+}
+
+floe_status hdf_finish(hdf_file *file)
+{
+    const herr_t closed = H5Fclose(file->id);
+    file->id = H5I_INVALID_HID;
+    return closed < 0 ? hdf_fail(file, "finish", "/") : FLOE_OK;
 }
 
 floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *image, size_t size)
@@ -64,7 +72,7 @@ floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *
     /* HDF5 copies the image and never writes to ours; its interface just lacks the const. */
     void *bytes;
     memcpy(&bytes, &image, sizeof bytes);
-    if (H5Pset_file_image(access, bytes, size) >= 0) out->id = H5Fopen(memory_name, H5F_ACC_RDONLY, access);
+    if (H5Pset_file_image(access, bytes, size) >= 0) out->id = H5Fopen(own_name, H5F_ACC_RDONLY, access);
     (void)H5Pclose(access);
     if (out->id < 0) return hdf_fail(out, "open", name);
     const floe_status status = hdf_check_whole(out, size);
@@ -76,19 +84,6 @@ void hdf_close(hdf_file *file)
 {
     if (file->id >= 0) (void)H5Fclose(file->id);
     file->id = H5I_INVALID_HID;
-}
-
-floe_status hdf_image(hdf_file *file, char **image, size_t *size)
-{
-    *image = NULL;
-    if (H5Fflush(file->id, H5F_SCOPE_LOCAL) < 0) return hdf_fail(file, "finish", "/");
-    const ssize_t bytes = H5Fget_file_image(file->id, NULL, 0);
-    if (bytes <= 0) return hdf_fail(file, "measure", "/");
-    TRY(memory_new(file->ctx, image, (size_t)bytes, 1));
-    *size = (size_t)bytes;
-    if (H5Fget_file_image(file->id, *image, *size) == bytes) return FLOE_OK;
-    memory_free(file->ctx, image);
-    return hdf_fail(file, "copy", "/");
 }
 
 static hid_t file_type(hdf_type type)

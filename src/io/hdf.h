@@ -1,18 +1,17 @@
-/* The part of HDF5 that floe uses: files in memory, arrays, texts and attributes, by absolute path. Only .c files of
- * this module include HDF5. HDF5 is not thread-safe: main thread only. */
+/* The part of HDF5 that floe uses: files that are made on disk and read in memory, arrays, texts and attributes, by absolute
+ * path. Only .c files of this module include HDF5. HDF5 is not thread-safe: main thread only. */
 #ifndef IO_HDF_H
 #define IO_HDF_H
 
-#include "base/context.h"
+#include "io/new_file.h"
 
 #include <hdf5.h>
-#include <stdint.h>
 
 enum { HDF_MAX_RANK = 4 };
 
 typedef enum hdf_type { HDF_DOUBLE, HDF_INT64 } hdf_type; /* in memory: double, int64_t */
 
-/* A file in memory. */
+/* An open file. */
 typedef struct hdf_file {
     context *ctx;     /* not owned */
     const char *name; /* for messages; not owned */
@@ -25,15 +24,16 @@ typedef struct hdf_shape {
     size_t extent[HDF_MAX_RANK];
 } hdf_shape;
 
-/* Opens a new, empty file in memory. `name` is the path that it will have. */
-floe_status hdf_create(hdf_file *out, context *ctx, const char *name);
+/* Makes an empty HDF5 file in a new file, behind `at` bytes of something else (io/hdf_driver.h). */
+floe_status hdf_create(hdf_file *out, new_file *file, uint64_t at);
+/* Writes what is left to be written and closes the file; FLOE_IO if HDF5 cannot. Whether all of it could be written is told
+ * by new_file_finish. */
+floe_status hdf_finish(hdf_file *file);
 /* Opens an image of `size` bytes for reading; HDF5 works on a copy of its own. FLOE_IO also for what floe does not write:
  * links that lead elsewhere, data in other files, filters (io/hdf_whole.h). */
 floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *image, size_t size);
 /* Closes the file; a closed one is fine. */
 void hdf_close(hdf_file *file);
-/* A copy of the file as it would be on disk. Counted memory, owned by the caller. */
-floe_status hdf_image(hdf_file *file, char **image, size_t *size);
 
 /* Writes an array, row-major; folders on the way are made. */
 floe_status hdf_write(hdf_file *file, const char *path, hdf_type type, hdf_shape shape, const void *data);

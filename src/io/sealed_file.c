@@ -38,26 +38,61 @@ static uint64_t get_header_number(const unsigned char *at, int bytes)
     return value;
 }
 
-static floe_status seal_image(context *ctx, const unsigned char *header, const void *image, size_t size,
-                              unsigned char digest[SHA256_SIZE])
+static floe_status digest_of(context *ctx, const unsigned char *header, const void *image, size_t size,
+                             unsigned char digest[SHA256_SIZE])
 {
     const sha256_part part[] = {{header, DIGEST_AT}, {image, size}};
     return sha256_of_parts(ctx, part, 2, digest);
 }
 
-floe_status sealed_write(context *ctx, const char *path, const char *kept, sealed_kind kind, uint32_t format,
-                         const void *image, size_t size)
+/* Adds what has been written behind the header, piece by piece. */
+static floe_status add_written(sha256 *sum, new_file *file, uint64_t size)
+{
+    enum { PIECE = 1 << 20 };
+    char *piece;
+    floe_status status = memory_new(file->ctx, &piece, PIECE, 1);
+    for (uint64_t at = 0; status == FLOE_OK && at < size; at += PIECE) {
+        const size_t bytes = size - at < PIECE ? (size_t)(size - at) : PIECE;
+        if (!new_file_read(file, SEALED_HEADER + at, piece, bytes)) break; /* the file is told of it at its end */
+        status = sha256_add(sum, piece, bytes);
+    }
+    memory_free(file->ctx, &piece);
+    return status;
+}
+
+static floe_status digest_written(new_file *file, const unsigned char *header, uint64_t size,
+                                  unsigned char digest[SHA256_SIZE])
+{
+    sha256 sum;
+    TRY(sha256_begin(&sum, file->ctx));
+    floe_status status = sha256_add(&sum, header, DIGEST_AT);
+    if (status == FLOE_OK) status = add_written(&sum, file, size);
+    if (status == FLOE_OK) return sha256_finish(&sum, digest);
+    sha256_abandon(&sum);
+    return status;
+}
+
+static floe_status write_header(new_file *file, sealed_kind kind, uint32_t format)
 {
     _Static_assert(sizeof FLOE_VERSION <= VERSION_SIZE, "the version must fit its place in the header");
     unsigned char header[SEALED_HEADER] = {0};
+    const uint64_t whole = new_file_size(file), size = whole < SEALED_HEADER ? 0 : whole - SEALED_HEADER;
     memcpy(header, magic, sizeof magic);
     put_number(header + KIND_AT, kind, 4);
     put_number(header + FORMAT_AT, format, 4);
     put_number(header + LENGTH_AT, size, 8);
     memcpy(header + VERSION_AT, FLOE_VERSION, sizeof FLOE_VERSION);
-    TRY(seal_image(ctx, header, image, size, header + DIGEST_AT));
-    const file_part part[] = {{header, sizeof header}, {image, size}};
-    return file_replace_keeping(ctx, path, kept, part, 2);
+    TRY(digest_written(file, header, size, header + DIGEST_AT));
+    new_file_write(file, 0, header, sizeof header);
+    return FLOE_OK;
+}
+
+floe_status sealed_finish(new_file *file, sealed_kind kind, uint32_t format, const char *kept)
+{
+    const floe_status status = write_header(file, kind, format);
+    if (status == FLOE_OK) return new_file_finish(file, kept);
+    new_file_abandon(file);
+    return status;
 }
 
 /* The file is whole: it is what floe once wrote. */
@@ -75,7 +110,7 @@ static floe_status check_seal(context *ctx, const char *path, const unsigned cha
         return fail(ctx, FLOE_IO, "'%s' is %s: its header says that %" PRIu64 " bytes follow, but %zu do", path,
                     length > size - SEALED_HEADER ? "cut short" : "too long", length, size - SEALED_HEADER);
     }
-    TRY(seal_image(ctx, data, data + SEALED_HEADER, size - SEALED_HEADER, digest));
+    TRY(digest_of(ctx, data, data + SEALED_HEADER, size - SEALED_HEADER, digest));
     if (memcmp(digest, data + DIGEST_AT, SHA256_SIZE) != 0) {
         return fail(ctx, FLOE_IO, "'%s' is damaged: its checksum does not fit its content", path);
     }

@@ -12,18 +12,14 @@
 #ifndef IO_SEALED_H
 #define IO_SEALED_H
 
-#include "base/context.h"
-
-#include <stdint.h>
+#include "io/new_file.h"
 
 typedef enum sealed_kind { SEALED_CHECKPOINT = 1, SEALED_SNAPSHOT = 2 } sealed_kind;
 
 enum { SEALED_HEADER = 512 };
 
-/* Writes `size` bytes of HDF5 image under a seal, whole or not at all; `kept` is the name that the earlier file gets in its folder,
- * NULL: none (io/file). */
-floe_status sealed_write(context *ctx, const char *path, const char *kept, sealed_kind kind, uint32_t format,
-                         const void *image, size_t size);
+/* Seals a new file, whose HDF5 part has been written from byte SEALED_HEADER on, and finishes it (new_file_finish). */
+floe_status sealed_finish(new_file *file, sealed_kind kind, uint32_t format, const char *kept);
 
 /* A sealed file in memory. */
 typedef struct sealed_file {

@@ -41,9 +41,25 @@ void coarse_end(coarse_setup *c)
     *c = (coarse_setup){0};
 }
 
-/* An output is an image that grows while it is written, and its copies: the peaks of runs of a million cells, and of nearly as many
- * points, were 5 to 8 times what is written. */
-static const double image_copies = 7.0;
+/* Bytes for each point or cell of what an output gathers before it writes it (io/gather): a point's place in the list of its body,
+ * a number, and in a snapshot a vector with a number beside it. */
+enum { LISTED = 16, NUMBER = 8, VECTOR = 24 };
+
+/* Bytes beside the fields while an output is written: of a snapshot, which takes one body at a time, or of a checkpoint, which
+ * lists all of them. */
+static double output_bytes_of(const sim *s)
+{
+    double all = 0.0, largest = 0.0;
+    const double cells = s->ice ? (double)mesh_cells(&s->mesh) : 0.0;
+    for (int body = 0; s->mpm && body < s->mpm->n_bodies; ++body) {
+        double points = 0.0;
+        for (int b = 0; b < s->mesh.n_blocks; b++) points += (double)s->mpm->points[b][body].n;
+        all += points;
+        largest = fmax(largest, points);
+    }
+    const double snapshot = fmax((VECTOR + NUMBER) * cells, (LISTED + VECTOR + NUMBER) * largest);
+    return fmax(snapshot, LISTED * all + NUMBER * fmax(largest, cells));
+}
 
 /* Bytes of the state and of what is fixed. */
 static double written_bytes_of(const sim *s)
@@ -70,7 +86,7 @@ void memory_need_of(const sim *s, memory_need *out)
     *out = (memory_need){.cells = (double)mesh_cells(&s->mesh)};
     out->bytes = (double)(memory_read_account(s->ctx).live_bytes - s->bytes_before);
     out->written_bytes = written_bytes_of(s);
-    out->output_bytes = image_copies * out->written_bytes;
+    out->output_bytes = output_bytes_of(s);
     compare_with_machine(out);
     out->fitting_cells = out->cells * out->available / (out->bytes + out->output_bytes);
 }
@@ -100,7 +116,7 @@ floe_status memory_need_estimate(scene *s, coarse_setup *c, memory_need *out)
     const double constant = more.bytes - slope * more.cells;
     *out = (memory_need){.cells = own, .bytes = constant + slope * own};
     out->written_bytes = more.written_bytes * (own / more.cells);
-    out->output_bytes = image_copies * out->written_bytes;
+    out->output_bytes = more.output_bytes * (own / more.cells);
     compare_with_machine(out);
     out->fitting_cells = fmax(0.0, (out->available - constant) / (slope + more.output_bytes / more.cells));
     return FLOE_OK;

@@ -48,7 +48,7 @@ if ! "$FLOE" --version | grep -qF fsanitize; then
     [ ! -e huge ] || fault 'a run that has no room has made its folder'
 
     # In space, with points, a membrane and gas.
-    expect 0 small 2000000 "$FLOE" plan "$FLOE_SOURCE/inputs/pressurized_sphere.yaml" --set study=null --set domain.cell=1e-3
+    expect 0 small 2000000 "$FLOE" plan "$FLOE_SOURCE/inputs/pressurized_sphere.yaml" --set study=null --set domain.cell=5e-4
     has stdout 'numbers and bytes are estimates'
     has stdout 'it does not fit'
 fi

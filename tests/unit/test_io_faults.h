@@ -1,4 +1,4 @@
-/* Faults on order: the test program's own write, fsync and renameat, which the linker prefers to those of the C library. The
+/* Faults on order: the test program's own write, pwrite, fsync and renameat, which the linker prefers to those of the C library. The
  * n-th call of any of them from fault_arm on fails, and all after it while `lasting`. */
 #ifndef TESTS_UNIT_TEST_IO_FAULTS_H
 #define TESTS_UNIT_TEST_IO_FAULTS_H
@@ -39,18 +39,29 @@ static inline bool fault_strikes(void)
     return true;
 }
 
-/* A fault on a file that is being written leaves half of the bytes behind, as a full disk does. */
-ssize_t write(int descriptor, const void *data, size_t size)
+/* A fault on a file that is being written leaves half of the bytes behind, as a full disk does. `at` < 0: at its end. */
+static inline ssize_t fault_write(int descriptor, const void *data, size_t size, off_t at)
 {
     struct iovec part;
     const bool strikes = descriptor > 2 && fault_strikes();
     const void **base = (const void **)&part.iov_base;
     *base = data;
     part.iov_len = strikes ? size / 2 : size;
+    if (at >= 0 && lseek(descriptor, at, SEEK_SET) != at) return -1;
     const ssize_t written = writev(descriptor, &part, 1);
     if (!strikes) return written;
     errno = fault.error;
     return -1;
+}
+
+ssize_t write(int descriptor, const void *data, size_t size)
+{
+    return fault_write(descriptor, data, size, -1);
+}
+
+ssize_t pwrite(int descriptor, const void *data, size_t size, off_t at)
+{
+    return fault_write(descriptor, data, size, at);
 }
 
 int fsync(int descriptor)

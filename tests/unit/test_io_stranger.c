@@ -115,7 +115,10 @@ static void forge(context *ctx, const char *from, const char *to, sealed_kind ki
     assert_int_equal(H5Fget_file_image(hdf, image, (size_t)size), size);
     (void)H5Fclose(hdf);
     (void)H5Pclose(access);
-    check_ok(ctx, sealed_write(ctx, to, NULL, kind, format, image, (size_t)size));
+    new_file made;
+    check_ok(ctx, new_file_begin(&made, ctx, to));
+    new_file_write(&made, SEALED_HEADER, image, (size_t)size);
+    check_ok(ctx, sealed_finish(&made, kind, format, NULL));
     memory_free(ctx, &image);
     sealed_free(ctx, &file);
 }

@@ -75,7 +75,7 @@ static floe_status write_manifest(const sim *s, hdf_file *hdf, const checkpoint_
     return status;
 }
 
-static floe_status write_checkpoint_image(const sim *s, hdf_file *hdf, const checkpoint_run *run)
+static floe_status write_content(const sim *s, hdf_file *hdf, const checkpoint_run *run)
 {
     checkpoint_record record;
     checkpoint_record_take(&record, s, run);
@@ -92,24 +92,23 @@ static floe_status write_checkpoint_image(const sim *s, hdf_file *hdf, const che
     return write_state(s, hdf);
 }
 
-static floe_status make_checkpoint_image(const sim *s, const char *path, const checkpoint_run *run, char **image,
-                                         size_t *size)
+static floe_status fill_checkpoint(const sim *s, new_file *file, const checkpoint_run *run)
 {
     hdf_file hdf;
-    TRY(hdf_create(&hdf, s->ctx, path));
-    floe_status status = write_checkpoint_image(s, &hdf, run);
-    if (status == FLOE_OK) status = hdf_image(&hdf, image, size);
+    TRY(hdf_create(&hdf, file, SEALED_HEADER));
+    const floe_status status = write_content(s, &hdf, run);
+    if (status == FLOE_OK) return hdf_finish(&hdf);
     hdf_close(&hdf);
     return status;
 }
 
 floe_status checkpoint_write(const sim *s, const char *path, const checkpoint_run *run)
 {
-    char *image = NULL;
-    size_t size = 0;
-    TRY(make_checkpoint_image(s, path, run, &image, &size));
-    const floe_status status = sealed_write(s->ctx, path, run->kept, SEALED_CHECKPOINT, CHECKPOINT_FORMAT, image, size);
-    memory_free(s->ctx, &image);
+    new_file file;
+    floe_status status = new_file_begin(&file, s->ctx, path);
+    if (status == FLOE_OK) status = fill_checkpoint(s, &file, run);
+    if (status == FLOE_OK) return sealed_finish(&file, SEALED_CHECKPOINT, CHECKPOINT_FORMAT, run->kept);
+    new_file_abandon(&file);
     return status;
 }
 

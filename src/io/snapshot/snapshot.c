@@ -195,41 +195,47 @@ static floe_status fill_snapshot(const snapshot_series *series, const sim *s, hd
     return hdf_write_text(hdf, "/xdmf", strbuf_string(page));
 }
 
-static floe_status make_snapshot_image(const snapshot_series *series, const sim *s, strbuf *page, const char *name,
-                                       char **image, size_t *size)
+static floe_status fill_file(const snapshot_series *series, const sim *s, new_file *file, strbuf *page,
+                             const char *name)
 {
     hdf_file hdf;
-    TRY(hdf_create(&hdf, series->ctx, name));
-    floe_status status = fill_snapshot(series, s, &hdf, page, name);
-    if (status == FLOE_OK) status = hdf_image(&hdf, image, size);
+    TRY(hdf_create(&hdf, file, SEALED_HEADER));
+    const floe_status status = fill_snapshot(series, s, &hdf, page, name);
+    if (status == FLOE_OK) return hdf_finish(&hdf);
     hdf_close(&hdf);
     return status;
 }
 
-static floe_status write_file(const snapshot_series *series, const char *name, const char *image, size_t size)
+static floe_status write_file(const snapshot_series *series, const sim *s, const char *path, strbuf *page,
+                              const char *name)
 {
-    char *path;
-    TRY(snapshot_join(series->ctx, &path, series->dir, name));
-    const floe_status status = sealed_write(series->ctx, path, NULL, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, image, size);
-    memory_free(series->ctx, &path);
+    new_file file;
+    floe_status status = new_file_begin(&file, series->ctx, path);
+    if (status == FLOE_OK) status = fill_file(series, s, &file, page, name);
+    if (status == FLOE_OK) return sealed_finish(&file, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, NULL);
+    new_file_abandon(&file);
     return status;
+}
+
+/* The next snapshot, and its part of the XDMF page. */
+static floe_status write_next(snapshot_series *series, const sim *s, strbuf *page)
+{
+    char name[SNAPSHOT_NAME];
+    char *path;
+    snapshot_file_name(name, series->next);
+    TRY(snapshot_join(series->ctx, &path, series->dir, name));
+    const floe_status status = write_file(series, s, path, page, name);
+    memory_free(series->ctx, &path);
+    TRY(status);
+    strbuf_append(&series->times, "%s", strbuf_string(page));
+    return series->times.status;
 }
 
 floe_status snapshot_write(snapshot_series *series, const sim *s)
 {
-    char name[SNAPSHOT_NAME];
-    char *image = NULL;
-    size_t size = 0;
     strbuf page;
     strbuf_init(&page, series->ctx);
-    snapshot_file_name(name, series->next);
-    floe_status status = make_snapshot_image(series, s, &page, name, &image, &size);
-    if (status == FLOE_OK) status = write_file(series, name, image, size);
-    memory_free(series->ctx, &image);
-    if (status == FLOE_OK) {
-        strbuf_append(&series->times, "%s", strbuf_string(&page));
-        status = series->times.status;
-    }
+    const floe_status status = write_next(series, s, &page);
     strbuf_free(&page);
     TRY(status);
     series->next++;

@@ -148,83 +148,81 @@ static floe_status write_cells(writer *w)
                               m->geometry == MESH_AXISYMMETRIC ? "axisymmetric" : "cartesian");
 }
 
-/* The stress tensor of each point, xx yy zz xy yz zx; unused components 0. */
-static void gather_stress(const writer *w, double *stress)
-{
-    const int components = field_component_count(FIELD_STRESS, w->s->mesh.dim);
-    memset(stress, 0, 6 * w->points->n * sizeof *stress);
-    for (int c = 0; c < components; c++) gather_points(w->s, w->points, P_STRESS, c, 6, stress + c);
-}
+/* What follows from stress and position, for the viewer's sake: from stress xx yy zz xy yz zx and place of a point. */
+typedef double derived_value(const sim *s, const double stress[6], const double x[3]);
 
 /* Absolute pressure: stress is kept gauge to the reference pressure. */
-static double pressure_of(const writer *w, const double *s)
+static double pressure_of(const sim *s, const double t[6], const double x[3])
 {
-    return w->s->scene->reference_pressure - (s[0] + s[1] + s[2]) / 3.0;
+    (void)x;
+    return s->scene->reference_pressure - (t[0] + t[1] + t[2]) / 3.0;
 }
 
-static double von_mises_of(const double *s)
+static double von_mises_of(const sim *s, const double t[6], const double x[3])
 {
-    const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-    return sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+    (void)s, (void)x;
+    const double a = t[0] - t[1], b = t[1] - t[2], c = t[2] - t[0];
+    return sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (t[3] * t[3] + t[4] * t[4] + t[5] * t[5]));
 }
 
 /* sigma_r (or sigma_theta) about the origin of the plane. */
-static double polar_of(const double *s, const double *x, bool hoop)
+static double polar_of(const double t[6], const double x[3], bool hoop)
 {
     const double r = hypot(x[0], x[1]);
     const double c = r > 0.0 ? x[0] / r : 1.0;
     const double n = r > 0.0 ? x[1] / r : 0.0;
-    const double cross = 2.0 * c * n * s[3];
-    return hoop ? n * n * s[0] + c * c * s[1] - cross : c * c * s[0] + n * n * s[1] + cross;
+    const double cross = 2.0 * c * n * t[3];
+    return hoop ? n * n * t[0] + c * c * t[1] - cross : c * c * t[0] + n * n * t[1] + cross;
 }
 
-static floe_status add_pressure(writer *w, const double *stress)
+static double radial_of(const sim *s, const double t[6], const double x[3])
 {
-    static const array_spec spec = {
-        .name = "pressure", .unit = "Pa", .meaning = "absolute: p_ref less the mean stress"};
-    for (size_t i = 0; i < w->points->n; i++) w->data[i] = pressure_of(w, stress + 6 * i);
-    return add_snapshot_array(w, &spec);
+    (void)s;
+    return polar_of(t, x, false);
 }
 
-static floe_status add_von_mises(writer *w, const double *stress)
+static double hoop_of(const sim *s, const double t[6], const double x[3])
 {
-    static const array_spec spec = {.name = "von_mises", .unit = "Pa", .meaning = "von Mises stress"};
-    for (size_t i = 0; i < w->points->n; i++) w->data[i] = von_mises_of(stress + 6 * i);
-    return add_snapshot_array(w, &spec);
+    (void)s;
+    return polar_of(t, x, true);
 }
 
-static floe_status add_polar(writer *w, const double *stress, const double *x)
+/* The stress of a point, components that the scene does not have 0, and its place. */
+static void read_point(const writer *w, point_place place, double stress[6], double x[3])
 {
-    static const array_spec spec[] = {{.name = "sigma_r", .unit = "Pa", .meaning = "radial stress about the origin"},
-                                      {.name = "sigma_theta", .unit = "Pa", .meaning = "hoop stress about the origin"}};
-    const mesh *m = &w->s->mesh;
-    if (m->dim != 2 || m->geometry != MESH_CARTESIAN || strcmp(w->s->scene->verify.exact, "lame") != 0) return FLOE_OK;
-    for (int hoop = 0; hoop < 2; hoop++) {
-        for (size_t i = 0; i < w->points->n; i++) w->data[i] = polar_of(stress + 6 * i, x + 3 * i, hoop != 0);
-        TRY(add_snapshot_array(w, &spec[hoop]));
+    const fields *f = w->s->domain->fields[place.block];
+    const int dim = w->s->mesh.dim, components = field_component_count(FIELD_STRESS, dim);
+    for (int c = 0; c < 6; c++)
+        stress[c] = c < components ? field_get(f, P_STRESS, w->points->body, c)[place.index] : 0.0;
+    for (int c = 0; c < 3; c++) x[c] = c < dim ? field_get(f, P_POS, w->points->body, c)[place.index] : 0.0;
+}
+
+static floe_status add_derived_array(writer *w, const array_spec *spec, derived_value *value)
+{
+    for (size_t i = 0; i < w->points->n; i++) {
+        double stress[6], x[3];
+        read_point(w, w->points->place[i], stress, x);
+        w->data[i] = value(w->s, stress, x);
     }
-    return FLOE_OK;
+    return add_snapshot_array(w, spec);
 }
 
-/* What follows from stress and position, for the viewer's sake. */
+static bool wants_polar(const sim *s)
+{
+    return s->mesh.dim == 2 && s->mesh.geometry == MESH_CARTESIAN && strcmp(s->scene->verify.exact, "lame") == 0;
+}
+
 static floe_status add_derived(writer *w)
 {
-    double *stress = NULL;
-    double *x = NULL;
-    context *ctx = w->s->ctx;
+    static const array_spec spec[] = {
+        {.name = "pressure", .unit = "Pa", .meaning = "absolute: p_ref less the mean stress"},
+        {.name = "von_mises", .unit = "Pa", .meaning = "von Mises stress"},
+        {.name = "sigma_r", .unit = "Pa", .meaning = "radial stress about the origin"},
+        {.name = "sigma_theta", .unit = "Pa", .meaning = "hoop stress about the origin"}};
+    static derived_value *const value[] = {pressure_of, von_mises_of, radial_of, hoop_of};
     if (!fields_has(w->s->domain->fields[0], P_STRESS, w->points->body)) return FLOE_OK;
-    floe_status status = memory_new(ctx, &stress, 6 * w->points->n, sizeof *stress);
-    if (status == FLOE_OK) status = memory_new(ctx, &x, 3 * w->points->n, sizeof *x);
-    if (status == FLOE_OK) {
-        gather_stress(w, stress);
-        for (int c = 0; c < w->s->mesh.dim; c++) gather_points(w->s, w->points, P_POS, c, 3, x + c);
-        status = add_pressure(w, stress);
-    }
-    if (status == FLOE_OK) status = add_von_mises(w, stress);
-    if (status == FLOE_OK) status = add_polar(w, stress, x);
-    memory_free(ctx, &x);
-    memory_free(ctx, &stress);
-    return status;
+    for (int i = 0; i < (wants_polar(w->s) ? 4 : 2); i++) TRY(add_derived_array(w, &spec[i], value[i]));
+    return FLOE_OK;
 }
 
 /* One array in the file, with what its description points at. */
