@@ -24,6 +24,7 @@ typedef struct cli_command {
     /* Carries out the command and returns the exit status (docs/outputs.md); argv[0] is "floe NAME". */
     int (*run)(cli *c, int argc, char **argv);
     bool ends_in_order; /* looks at cli.stop on its way: signals only ask it to end */
+    bool computes;      /* steps a scene, or makes one ready to step: on threads */
 } cli_command;
 
 extern const cli_command cli_commands[];

@@ -12,17 +12,17 @@
 #include <unistd.h>
 
 const cli_command cli_commands[] = {
-    {"check", "Validate a deck: every error, with its place", cmd_check, false},
-    {"plan", "Show stages, fields, memory and steps, without running anything", cmd_plan, false},
-    {"run", "Run a scene", cmd_run, true},
-    {"compare", "Run a scene in every coupling and spacing, side by side", cmd_compare, true},
-    {"study", "Run a scene along crossed axes: orders, limits, error against run time", cmd_study, true},
-    {"stability", "Find how large a value keeps a scene stable, or map two values", cmd_stability, true},
-    {"picture", "Draw snapshots of a run: points and cells in colour, as PNG", cmd_picture, true},
-    {"report", "Make one page of HTML of the results in folders", cmd_report, false},
-    {"diff", "Compare the results of two runs", cmd_diff, true},
-    {"list", "List what decks can name: materials, shapes, metrics, ...", cmd_list, false},
-    {"new", "Write a deck to start from, a JSON schema, shell completion", cmd_new, false},
+    {"check", "Validate a deck: every error, with its place", cmd_check, false, true},
+    {"plan", "Show stages, fields, memory and steps, without running anything", cmd_plan, false, true},
+    {"run", "Run a scene", cmd_run, true, true},
+    {"compare", "Run a scene in every coupling and spacing, side by side", cmd_compare, true, true},
+    {"study", "Run a scene along crossed axes: orders, limits, error against run time", cmd_study, true, true},
+    {"stability", "Find how large a value keeps a scene stable, or map two values", cmd_stability, true, true},
+    {"picture", "Draw snapshots of a run: points and cells in colour, as PNG", cmd_picture, true, false},
+    {"report", "Make one page of HTML of the results in folders", cmd_report, false, false},
+    {"diff", "Compare the results of two runs", cmd_diff, true, false},
+    {"list", "List what decks can name: materials, shapes, metrics, ...", cmd_list, false, false},
+    {"new", "Write a deck to start from, a JSON schema, shell completion", cmd_new, false, false},
 };
 const size_t cli_n_commands = sizeof cli_commands / sizeof cli_commands[0];
 
@@ -135,7 +135,7 @@ int main(int argc, char **argv)
     argp_err_exit_status = status_exit(FLOE_BAD_INPUT);
     argp_program_version_hook = print_version;
     argp_parse(&top_argp, argc, argv, ARGP_IN_ORDER, NULL, &t);
-    if (!t.key && t.command->ends_in_order) cli_let_threads_sleep(argv);
+    if (!t.key && t.command->computes) cli_let_threads_sleep(argv);
 
     cli c = {.floe = floe_create(),
              .ctx = context_create(),
