@@ -18,6 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from . import colours, fields, files, planes, space, units
+from . import raster as pixels
 from .files import Refused
 from .results import Result, Snapshot
 from .snapshots import SealedSnapshot, snapshot_files, table
@@ -25,7 +26,6 @@ from .snapshots import SealedSnapshot, snapshot_files, table
 WIDTH, MOST_WIDTH = 720, 8000
 _TITLE, _TEXT, _TICK, _MARGIN, _LINE = 29, 25, 23, 22, 38   # sizes in units of a 720th of the width
 _TALLEST, _BAR, _PANEL = 860, 24, 330
-_CLOSED = 10  # pixels: gaps between points of a body of up to twice as much are closed
 
 
 @dataclasses.dataclass
@@ -357,92 +357,16 @@ def _kinds(sheet: Sheet, ranges) -> list[str]:
             for k, sign in enumerate(signs)]
 
 
-def _colour(values: numpy.ndarray, scale: tuple[float, float], kind: str, dark: bool) -> numpy.ndarray:
-    """RGBA bytes of values; what is no number is clear."""
-    low, high = scale
-    part = numpy.clip((values - low) / (high - low), 0, 1)
-    rgba = colours.field_map(kind, dark)(numpy.nan_to_num(part), bytes=True)
-    rgba[~numpy.isfinite(part)] = 0
-    return rgba
-
-
-def _paint_cells(sheet: Sheet, image: numpy.ndarray, ranges, kinds) -> None:
-    height, width = image.shape[:2]
-    n, m = sheet.cells.shape
-    rgba = _colour(sheet.cells, ranges[sheet.cell_scale], kinds[sheet.cell_scale], sheet.options.dark)
-    i = numpy.minimum(((numpy.arange(width) + 0.5) * n / width).astype(int), n - 1)
-    j = numpy.minimum(((numpy.arange(height) + 0.5) * m / height).astype(int), m - 1)
-    image[:] = rgba[i[None, :], j[:, None]]
-
-
-def _spread(filled: numpy.ndarray) -> Iterable[tuple[numpy.ndarray, tuple, tuple]]:
-    """For each of the four neighbours of pixels: where that one is filled, and slices to write and to read."""
-    for axis in (0, 1):
-        for to, of in ((slice(1, None), slice(None, -1)), (slice(None, -1), slice(1, None))):
-            write, read = ((to, slice(None)), (of, slice(None))) if axis == 0 else ((slice(None), to), (slice(None), of))
-            yield filled[read], write, read
-
-
-def _close_gaps(layer: numpy.ndarray, reach: int) -> None:
-    """Fills gaps of up to twice `reach` pixels between points of a body, which stretch and are squares in the picture, with the colour beside them:
-    what is painted grows by `reach` and shrinks by as much again."""
-    painted = layer[..., 3] > 0
-    grown = painted.copy()
-    for _ in range(reach):
-        before = grown.copy()
-        for there, write, read in _spread(before):
-            new = there & ~grown[write]
-            layer[write][new] = layer[read][new]
-            grown[write] |= new
-    for _ in range(reach):
-        before = grown.copy()
-        for there, write, _read in _spread(before):
-            grown[write] &= there
-    layer[~(grown | painted)] = 0
-
-
-def _paint_points(sheet: Sheet, body: Points, image: numpy.ndarray, ranges, kinds) -> None:
-    """Squares as large as the points and half a pixel more on each side, and what lies between them: points close up to a solid."""
-    height, width = image.shape[:2]
-    per = numpy.array([width, height]) / (sheet.upper - sheet.lower)
-    at, side = (body.place - sheet.lower) * per, body.edge * per[0]
-    fine = numpy.isfinite(at).all(axis=1) & numpy.isfinite(side)
-    with numpy.errstate(invalid="ignore"):
-        side = numpy.clip(numpy.where(fine, side, 0) + 1, 2, max(width, height))
-        fine &= ((at > -side[:, None]) & (at < [width, height] + side[:, None])).all(axis=1)
-    if not fine.any():
-        return
+def _paint_body(sheet: Sheet, body: Points, image: numpy.ndarray, ranges, kinds) -> None:
     none = colours.POINT_DARK if sheet.options.dark else colours.POINT
     grey = [int(none[k:k + 2], 16) for k in (1, 3, 5)] + [255]
-    rgba = numpy.tile(numpy.array(grey, dtype=numpy.uint8), (len(at), 1))
+    rgba = numpy.tile(numpy.array(grey, dtype=numpy.uint8), (len(body.place), 1))
     if body.values is not None:
-        coloured = _colour(body.values, ranges[body.scale], kinds[body.scale], sheet.options.dark)
+        coloured = pixels.colour(body.values, ranges[body.scale], kinds[body.scale], sheet.options.dark)
         rgba = numpy.where(coloured[:, 3:] > 0, coloured, rgba)
-    reach = int(numpy.clip(numpy.median(side[fine]) // 2, 0, _CLOSED))
-    # Beyond an axis and a mirror, images of the first points: a body goes on there.
-    beyond = [reach + 1 if sheet.axes[k] == "r" or "xy"[k] in sheet.options.mirror else 0 for k in (0, 1)]
-    layer = numpy.zeros((height + beyond[1], width + beyond[0], 4), dtype=numpy.uint8)
-    corner = numpy.rint(at - 0.5 * side[:, None], where=fine[:, None], out=numpy.zeros_like(at)).astype(int) + beyond
-    size = numpy.rint(side).astype(int)
-    for edge in numpy.unique(size[fine]):
-        chosen = numpy.nonzero(fine & (size == edge))[0]
-        if len(chosen) < edge * edge:  # few large ones
-            for k in chosen:
-                x, y = numpy.maximum(corner[k], beyond)
-                layer[y:max(corner[k, 1] + edge, 0), x:max(corner[k, 0] + edge, 0)] = rgba[k]
-            continue
-        for dy in range(edge):
-            for dx in range(edge):
-                x, y = corner[chosen, 0] + dx, corner[chosen, 1] + dy
-                inside = (x >= beyond[0]) & (x < layer.shape[1]) & (y >= beyond[1]) & (y < layer.shape[0])
-                layer[y[inside], x[inside]] = rgba[chosen[inside]]
-    if beyond[0]:
-        layer[:, :beyond[0]] = layer[:, 2 * beyond[0] - 1:beyond[0] - 1:-1]
-    if beyond[1]:
-        layer[:beyond[1]] = layer[2 * beyond[1] - 1:beyond[1] - 1:-1]
-    _close_gaps(layer, reach)
-    shown = layer[beyond[1]:, beyond[0]:]
-    image[shown[..., 3] > 0] = shown[shown[..., 3] > 0]
+    per = numpy.array([image.shape[1], image.shape[0]]) / (sheet.upper - sheet.lower)
+    goes_on = [sheet.axes[k] == "r" or "xy"[k] in sheet.options.mirror for k in (0, 1)]
+    pixels.paint_points(image, (body.place - sheet.lower) * per, body.edge * per[0], rgba, goes_on)
 
 
 def raster(sheet: Sheet, ranges, width: int, height: int) -> numpy.ndarray:
@@ -450,9 +374,10 @@ def raster(sheet: Sheet, ranges, width: int, height: int) -> numpy.ndarray:
     image = numpy.zeros((height, width, 4), dtype=numpy.uint8)
     kinds = _kinds(sheet, ranges)
     if sheet.cells is not None:
-        _paint_cells(sheet, image, ranges, kinds)
+        k = sheet.cell_scale
+        pixels.paint_cells(image, pixels.colour(sheet.cells, ranges[k], kinds[k], sheet.options.dark))
     for body in sheet.bodies:
-        _paint_points(sheet, body, image, ranges, kinds)
+        _paint_body(sheet, body, image, ranges, kinds)
     if "x" in sheet.options.mirror:
         image = numpy.concatenate([image[:, ::-1], image], axis=1)
     if "y" in sheet.options.mirror:
@@ -539,7 +464,7 @@ def _space_figure(sheet: Sheet, ranges) -> Drawn:
     axes = d.axes(0.5 * (720 - width), top, width, height)
     axes.set_axis_off()
     kinds = _kinds(sheet, ranges)
-    image = space.raster(sheet, camera, lambda values, scale: _colour(values, ranges[scale], kinds[scale], sheet.options.dark), round(width * u))
+    image = space.raster(sheet, camera, lambda values, scale: pixels.colour(values, ranges[scale], kinds[scale], sheet.options.dark), round(width * u))
     (left, low), (right, high) = camera.low[:2], camera.high[:2]
     axes.imshow(image, origin="lower", extent=(left, right, low, high), aspect="auto", interpolation="none", zorder=2)
     for order, lines in zip((1, 3), space.edges(camera)):

@@ -15,7 +15,7 @@ import numpy
 import PIL.Image
 
 import floe
-from floe import colours, fields, figures, files, histories, pictures, planes, snapshots, svg, units
+from floe import colours, fields, figures, files, histories, pictures, planes, raster, snapshots, svg, units
 from floe.files import Refused
 from floe.pictures import Options, Scale
 
@@ -178,7 +178,7 @@ def test_points_close_up():
     """Gaps of less than a point are closed, wider ones are not; those beside an axis and a mirror are closed as the body goes on there."""
     layer = numpy.zeros((20, 40, 4), dtype=numpy.uint8)
     layer[4:16, 5:10] = layer[4:16, 13:20] = layer[4:16, 27:33] = [9, 8, 7, 255]
-    pictures._close_gaps(layer, 2)
+    raster.close_gaps(layer, 2)
     assert (layer[6:14, 5:20] == [9, 8, 7, 255]).all() and not layer[4:16, 20:27].any() and not layer[:, :5].any() and not layer[:4].any() and not layer[16:].any()
 
 
