@@ -6,8 +6,6 @@
 
 #include <string.h>
 
-enum { MEMORY_INCREMENT = 1 << 20 }; /* bytes by which a file in memory grows */
-
 /* The name under which HDF5 knows a file, which floe opens itself. It looks for a file of that name first, so there must never
  * be one. */
 static const char own_name[] = "/dev/null/floe";
@@ -41,13 +39,6 @@ size_t hdf_count(hdf_shape shape)
     return n;
 }
 
-static hid_t memory_access(void)
-{
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    if (access >= 0) (void)H5Pset_fapl_core(access, MEMORY_INCREMENT, 0);
-    return access;
-}
-
 floe_status hdf_create(hdf_file *out, new_file *file, uint64_t at)
 {
     *out = (hdf_file){.ctx = file->ctx, .name = file->path, .id = H5I_INVALID_HID};
@@ -67,12 +58,9 @@ floe_status hdf_finish(hdf_file *file)
 floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *image, size_t size)
 {
     *out = (hdf_file){.ctx = ctx, .name = name, .id = H5I_INVALID_HID};
-    const hid_t access = memory_access();
+    const hid_t access = hdf_driver_image(image, size);
     (void)H5PLset_loading_state(0); /* no file may have a plug-in loaded */
-    /* HDF5 copies the image and never writes to ours; its interface just lacks the const. */
-    void *bytes;
-    memcpy(&bytes, &image, sizeof bytes);
-    if (H5Pset_file_image(access, bytes, size) >= 0) out->id = H5Fopen(own_name, H5F_ACC_RDONLY, access);
+    out->id = H5Fopen(own_name, H5F_ACC_RDONLY, access);
     (void)H5Pclose(access);
     if (out->id < 0) return hdf_fail(out, "open", name);
     const floe_status status = hdf_check_whole(out, size);
@@ -84,6 +72,7 @@ void hdf_close(hdf_file *file)
 {
     if (file->id >= 0) (void)H5Fclose(file->id);
     file->id = H5I_INVALID_HID;
+    memory_free(file->ctx, &file->data);
 }
 
 static hid_t file_type(hdf_type type)

@@ -16,6 +16,7 @@ typedef struct hdf_file {
     context *ctx;     /* not owned */
     const char *name; /* for messages; not owned */
     hid_t id;         /* < 0: closed */
+    char *data;       /* what is read, where the file owns it: freed as it closes; NULL: not */
 } hdf_file;
 
 /* An array's extent; rank 0 is a single number. */
@@ -29,7 +30,7 @@ floe_status hdf_create(hdf_file *out, new_file *file, uint64_t at);
 /* Writes what is left to be written and closes the file; FLOE_IO if HDF5 cannot. Whether all of it could be written is told
  * by new_file_finish. */
 floe_status hdf_finish(hdf_file *file);
-/* Opens an image of `size` bytes for reading; HDF5 works on a copy of its own. FLOE_IO also for what floe does not write:
+/* Opens an image of `size` bytes for reading, which must outlive the file (or be its own, `data`). FLOE_IO also for what floe does not write:
  * links that lead elsewhere, data in other files, filters (io/hdf_whole.h). */
 floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *image, size_t size);
 /* Closes the file; a closed one is fine. */

@@ -3,10 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where the HDF5 file lies. */
+/* Where the HDF5 file lies: in a file that is being made, or in memory. */
 typedef struct place {
-    new_file *file; /* not owned */
-    uint64_t at;    /* of its first byte in that */
+    new_file *file;    /* not owned; NULL: in memory */
+    uint64_t at;       /* of its first byte in that */
+    const char *image; /* not owned */
+    size_t size;       /* bytes of it */
 } place;
 
 /* An open HDF5 file. */
@@ -31,7 +33,7 @@ static H5FD_t *open_driven(const char *name, unsigned flags, hid_t access, haddr
     (void)name, (void)flags, (void)most;
     const place *p = H5Pget_driver_info(access);
     driven *d = p ? calloc(1, sizeof *d) : NULL; /* HDF5's memory, not floe's: its struct is the first part */
-    if (d) d->place = *p;
+    if (d) *d = (driven){.place = *p, .written = p->size};
     return (H5FD_t *)d;
 }
 
@@ -73,7 +75,11 @@ static herr_t read_driven_bytes(H5FD_t *file, H5FD_mem_t type, hid_t transfer, h
 {
     (void)type, (void)transfer;
     const place *p = &driven_of(file)->place;
-    return new_file_read(p->file, p->at + at, data, size) ? 0 : -1;
+    if (p->file) return new_file_read(p->file, p->at + at, data, size) ? 0 : -1;
+    const size_t there = at < p->size ? p->size - (size_t)at : 0, bytes = size < there ? size : there;
+    if (bytes > 0) memcpy(data, p->image + at, bytes);
+    memset((char *)data + bytes, 0, size - bytes);
+    return 0;
 }
 
 static herr_t write_driven_bytes(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size,
@@ -81,6 +87,7 @@ static herr_t write_driven_bytes(H5FD_t *file, H5FD_mem_t type, hid_t transfer, 
 {
     (void)type, (void)transfer;
     driven *d = driven_of(file);
+    if (!d->place.file) return -1;
     new_file_write(d->place.file, d->place.at + at, data, size);
     if (d->written < at + size) d->written = at + size;
     return 0;
@@ -90,7 +97,7 @@ static herr_t truncate_driven(H5FD_t *file, hid_t transfer, hbool_t closing)
 {
     (void)transfer, (void)closing;
     driven *d = driven_of(file);
-    if (d->written == d->allocated) return 0;
+    if (!d->place.file || d->written == d->allocated) return 0;
     new_file_set_size(d->place.file, d->place.at + d->allocated);
     d->written = d->allocated;
     return 0;
@@ -111,13 +118,22 @@ static const H5FD_class_t driver = {.name = "floe_new_file",
                                     .truncate = truncate_driven,
                                     .fl_map = H5FD_FLMAP_DICHOTOMY};
 
-hid_t hdf_driver_access(new_file *file, uint64_t at)
+static hid_t access_at(const place *p)
 {
-    const place p = {file, at};
     const hid_t id = H5FDregister(&driver), access = H5Pcreate(H5P_FILE_ACCESS);
-    const herr_t set = H5Pset_driver(access, id, &p);
+    const herr_t set = H5Pset_driver(access, id, p);
     (void)H5FDunregister(id); /* the list holds it as long as it is asked for */
     if (set >= 0) return access;
     (void)H5Pclose(access);
     return H5I_INVALID_HID;
+}
+
+hid_t hdf_driver_access(new_file *file, uint64_t at)
+{
+    return access_at(&(place){.file = file, .at = at});
+}
+
+hid_t hdf_driver_image(const void *image, size_t size)
+{
+    return access_at(&(place){.image = image, .size = size});
 }

@@ -85,6 +85,9 @@ floe_status snapshot_file_open(context *ctx, const char *path, hdf_file *out)
     *out = (hdf_file){.ctx = ctx, .name = path, .id = H5I_INVALID_HID};
     TRY(sealed_read(ctx, path, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, false, &file));
     const floe_status status = hdf_open(out, ctx, path, file.image, file.size);
-    sealed_free(ctx, &file); /* HDF5 has a copy */
+    if (status == FLOE_OK)
+        out->data = file.data;
+    else
+        sealed_free(ctx, &file);
     return status;
 }
