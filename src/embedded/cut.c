@@ -267,6 +267,35 @@ static floe_status finish_whole(const cut_surface *c, int i, int j, int k, int *
     return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses another at cell %d", i);
 }
 
+/* Around a periodic axis the last face of a row of cells is the first one again. */
+static floe_status check_row_around(const cut_surface *c, int axis, int j, int k)
+{
+    int first[3] = {0, 0, 0}, last[3];
+    double x[3] = {0.0};
+    first[(axis + 1) % 3] = j;
+    first[(axis + 2) % 3] = k;
+    memcpy(last, first, sizeof last);
+    last[axis] = c->mesh->n[axis] - 1;
+    if (fabs(cut_face(c, first, axis, SIDE_LOWER) - cut_face(c, last, axis, SIDE_UPPER)) <= cut_crossing)
+        return FLOE_OK;
+    for (int a = 0; a < c->mesh->dim; ++a) x[a] = mesh_centre(c->mesh, a, first[a]);
+    x[axis] = c->mesh->lower[axis];
+    return fail(c->ctx, FLOE_RETRY,
+                "a sharp surface does not go on across the periodic sides at (%g, %g, %g): let bodies end within the "
+                "domain, or "
+                "reach across it as wide on both sides",
+                x[0], x[1], x[2]);
+}
+
+static floe_status check_around(const cut_surface *c)
+{
+    const int *n = c->mesh->n;
+    for (int axis = 0; axis < c->mesh->dim; ++axis)
+        for (int k = 0; c->mesh->periodic[axis] && k < n[(axis + 2) % 3]; ++k)
+            for (int j = 0; j < n[(axis + 1) % 3]; ++j) TRY(check_row_around(c, axis, j, k));
+    return FLOE_OK;
+}
+
 floe_status cut_find(cut_surface *c)
 {
     const mesh *m = c->mesh;
@@ -289,7 +318,8 @@ floe_status cut_find(cut_surface *c)
                 int *at = &c->at[cut_index(m, (const int[]){i, j, k})];
                 if (*at == CUT_NEW) TRY(finish_whole(c, i, j, k, at));
             }
-    return c->overlap > 0.0 ? cut_close_contacts(c) : FLOE_OK;
+    if (c->overlap > 0.0) TRY(cut_close_contacts(c));
+    return check_around(c);
 }
 
 /* Whether an end lies on a side of the mesh normal to the axis; it then stays on it. */

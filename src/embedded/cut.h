@@ -93,7 +93,7 @@ floe_status cut_find_thin(const cut_surface *c, bool *thin, double x[3]);
  * As cut_find; `from` does not change. Ends stay on the sides of the mesh. */
 floe_status cut_ahead(const cut_surface *from, const double *velocity, double time, cut_surface *out);
 /* Finds the cut cells from the vertices. Open polylines, and rims of triangles, must end on sides of the mesh. FLOE_RETRY where boundaries
- * cross so that a gas would lie on both their sides, or solids overlap by more than they may. */
+ * cross so that a gas would lie on both their sides, solids overlap by more than they may, or what is open of the two sides of a periodic axis differs. */
 floe_status cut_find(cut_surface *c);
 
 /* Index of a global cell in `at` and similar arrays. */

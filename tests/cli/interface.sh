@@ -53,7 +53,7 @@ not_sharp 'thinner than a cell at 1.503' "${line[@]}" 'bodies.wall.shape={box: {
 not_sharp 'thinner than a cell at 1.501' "${line[@]}" 'bodies.wall.shape={box: {lower: 1.501, upper: 1.502}}' # no place where it is looked for is in it
 not_sharp 'thinner than a cell at 1.51' "${line[@]}" 'bodies.wall.shape={box: {lower: 1.51, upper: 1.525}}' # in two cells
 not_sharp 'no solid has a surface' "${line[@]}" 'bodies.wall.shape={box: {lower: 0, upper: 1.62}}' bodies.driver=null bodies.driven=null
-not_sharp 'without periodic sides' boundaries.y=periodic 'domain.upper=[1.62, 0.08]'
+not_sharp 'does not go on across the periodic sides at (1.51, 0' boundaries.y=periodic 'domain.upper=[1.62, 0.08]' 'bodies.wall={material: steel, motion: fixed, shape: {box: {lower: [1.5, 0], upper: [1.62, 0.02]}}}'
 # Several fluids, which nothing keeps apart.
 for body in driver driven; do
     expect 0 "$FLOE" check "$tube" --set 'materials.other={eos: {ideal: {gamma: 1.3, specific_heat: 900}}}' --set "bodies.$body.material=other"
@@ -183,3 +183,51 @@ slides || fault 'an inviscid liquid sticks to a wall'
 ! slides --set method=g03 || fault 'a liquid slips as the papers have it'
 expect 2 "$FLOE" check "$tube" --set method=g04
 has stderr "'g04' is no 'preset' of 'method'"
+
+# ---- periodic sides ----
+
+# A blast beside a ball that is held, moved by whole cells until the ball is a tenth of a cell from the side, around both sides: the same to round-off. A plate
+# that reaches around goes as one between symmetries does. Bodies that move along the axis are smeared unless the deck says sharp, and end such a run at the side.
+cat >around.yaml <<'EOF'
+floe: 1
+title: Blast beside a ball between periodic sides
+coupling: ice-mpm
+units: none
+reference_pressure: 1
+constants: {s: 0}
+domain: {dim: 2, lower: [0, 0], upper: [1, 1], cell: 0.025}
+boundaries: {x: periodic, y: periodic}
+materials:
+  air: {eos: {ideal: {gamma: 1.4, specific_heat: 2.5}}, viscosity: {shear: 0.002}}
+  steel: {density: 10, specific_heat: 1, law: {linear_elastic: {bulk_modulus: 1000, shear_modulus: 500}}}
+ambient: {material: air, pressure: 1, temperature: 1}
+bodies:
+  charge: {material: air, shape: {ball: {centre: [0.26 + s, 0.3], radius: 0.1}}, pressure: 5, temperature: 2}
+  ball: {material: steel, motion: fixed, shape: {ball: {centre: [0.5 + s, 0.45], radius: 0.13}}}
+time: {end: 0.2}
+output: {interval: 0.2}
+EOF
+for pressure in explicit implicit; do
+    expect 0 "$FLOE" run around.yaml -o here --quiet --set method.pressure=$pressure
+    expect 0 "$FLOE" run around.yaml -o there --quiet --set method.pressure=$pressure --set constants.s='14 * 0.025'
+    has here/summary.json '"interface": "auto: sharp"'
+    for column in kinetic_air internal_air pressure_air force_ball_y; do
+        near "$(mean there/history.csv $column 0.1)" "$(mean here/history.csv $column 0.1)" 1e-9
+    done
+done
+across=(--set constants.s=0.4)
+expect 0 "$FLOE" check around.yaml "${across[@]}"
+has stderr 'does not go on across the periodic sides at (0, 0.3'
+expect 2 "$FLOE" check around.yaml "${across[@]}" --set method.interface=sharp
+has stderr 'reach across it as wide on both sides'
+moving=(--set 'bodies.ball.motion={velocity: [0.5, 0]}')
+expect 0 "$FLOE" check around.yaml "${moving[@]}"
+has stderr "where body 'ball' comes to a periodic side; method.interface: sharp takes it up to there"
+expect 3 "$FLOE" run around.yaml -o moved --quiet "${moving[@]}" --set method.interface=sharp --set time.end=1
+has stderr 'does not go on across the periodic sides at (0, 0.4'
+wall=(--set 'bodies.ball={material: steel, shape: {box: {lower: [0.513, 0], upper: [0.613, 1]}}}' --set 'boundaries.x=slip'
+    --set 'bodies.charge.shape={box: {lower: [0, 0], upper: [0.2, 1]}}')
+expect 0 "$FLOE" run around.yaml -o around --quiet "${wall[@]}"
+has around/summary.json '"interface": "auto: sharp"'
+expect 0 "$FLOE" run around.yaml -o between --quiet "${wall[@]}" --set boundaries.y=symmetry
+near "$(mean around/history.csv velocity_ball_x 0.1)" "$(mean between/history.csv velocity_ball_x 0.1)" 1e-3
