@@ -15,6 +15,7 @@ static void start(trial *t)
     check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, COUPLING_ICE_MPM));
 }
 
+/* The plate is beside a low pressure: 1e5 Pa give each side an impulse of 3600 N s in a step, whose round-off is 1.8e-9 of the momentum of its motion. */
 static double momentum_lost(trial *t, int axis)
 {
     const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + axis);
@@ -24,7 +25,7 @@ static double momentum_lost(trial *t, int axis)
 static void check_conserved(trial *t)
 {
     check_true(ledger_worst(t, LEDGER_ENERGY, LEDGER_ENERGY) < 2.6e-11);
-    for (int a = 0; a < t->sim->mesh.dim; ++a) check_true(momentum_lost(t, a) < 1e-10);
+    for (int a = 0; a < t->sim->mesh.dim; ++a) check_true(momentum_lost(t, a) < 2.4e-11);
     check_true(ledger_worst(t, LEDGER_MASS, LEDGER_MASS) < 1e-13);
 }
 
@@ -184,7 +185,8 @@ static double period_of_plate_off(double density, int steps)
         "materials.water=" LIQUID,
         "materials.air=null",
         "materials.plate=null",
-        AMBIENT,
+        "ambient={material: water, pressure: 1e3, temperature: 150.2944117647059}",
+        "reference_pressure=1e3",
         "bodies.behind=null",
         "bodies.plate=null",
         METHOD,
@@ -201,12 +203,12 @@ static double period_of_plate_off(double density, int steps)
     return off;
 }
 
-/* Measured: 0.0014, 0.0083. */
+/* Measured: 0.00074, 0.0081. */
 static void test_plate(void **unused)
 {
     (void)unused;
-    check_close(period_of_plate_off(100.0, 50), 0.0, 0.0028);
-    check_close(period_of_plate_off(1e4, 50), 0.0, 0.0166);
+    check_close(period_of_plate_off(100.0, 50), 0.0, 0.00148);
+    check_close(period_of_plate_off(1e4, 50), 0.0, 0.0162);
 }
 
 /* ---- the same bits ---- */

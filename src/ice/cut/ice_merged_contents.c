@@ -2,6 +2,7 @@
  * (theory 7.1). */
 #include "ice/cut/ice_merged_cells.h"
 
+#include "base/memory.h"
 #include "ice/flux/ice_flux.h"
 #include "ice/ice_constants.h"
 #include "ice/state/ice_cells.h"
@@ -31,7 +32,96 @@ static void add_contents(const ice *s, const ice_member *k, double *sum)
     for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] += gas.momentum[a];
     sum[MERGED_MASS] += gas.advected - gas.closed;
     sum[MERGED_WORK] += gas.energy;
-    sum[MERGED_VOLUME] += k->open * mesh_cell_volume(s->mesh, k->cell[0]);
+}
+
+/* ---- merged cells whose members the next step has in different ones ----
+ *
+ * Fluxes and pressure are those of the merged cell; a member alone has more or less than its part of what they leave, by up to what passes its faces in the
+ * step. That cancels in the sum. So the sum, not what each member has, is divided. */
+
+enum { NOT_YET = -1, DIVIDED = -2 };
+
+/* Whether gas has reached a member: a covered cell without has no part of its merged cell. */
+static bool has_contents(const ice *s, const ice_merged_cells *was, const ice_member *k)
+{
+    const ice_amount gas = ice_advected(s, k, &ice_member_view(s, k)->m[0]);
+    const double round_off =
+        ICE_OPEN_ROUND_OFF * s->cut_cells->rest[was->region->number].density * mesh_cell_volume(s->mesh, k->cell[0]);
+    return k->open > 0.0 || fabs(gas.advected - gas.closed) > round_off;
+}
+
+/* Sums of all merged cells of the step, with their volumes after it, and the merged cell of the next to which each goes, or that it is divided. */
+static void find_divided(const ice *s, ice_merged_cells *was, const ice_merged_cells *p, int *to)
+{
+    ice_clear_merged(was);
+    for (int n = 0; n < was->count; ++n) to[n] = NOT_YET;
+    for (int k = 0; k < was->n; ++k) {
+        const ice_member *m = &was->member[k];
+        double *sum = was->sum + (size_t)m->merged * MERGED_SUMS;
+        if (!has_contents(s, was, m)) continue;
+        add_contents(s, m, sum);
+        sum[MERGED_VOLUME] += ice_member_view(s, m)->m[0].open1[m->at] * mesh_cell_volume(s->mesh, m->cell[0]);
+        const int place = p->place[cut_index(s->mesh, m->cell)];
+        const int after = place < 0 ? p->count + k : p->member[place].merged; /* no member any more: by itself */
+        to[m->merged] = to[m->merged] == NOT_YET || to[m->merged] == after ? after : DIVIDED;
+    }
+}
+
+/* The sums of the merged cell of which a cell has its part by volume; NULL: it has what is its own. */
+static const double *divided_sums(const ice *s, const ice_merged_cells *was, const int *to, const int cell[3])
+{
+    const int place = was->place[cut_index(s->mesh, cell)];
+    if (place < 0 || !was->sum) return NULL;
+    const ice_member *m = &was->member[place];
+    const double *sum = was->sum + (size_t)m->merged * MERGED_SUMS;
+    return to[m->merged] == DIVIDED && sum[MERGED_VOLUME] > 0.0 && has_contents(s, was, m) ? sum : NULL;
+}
+
+static void add_divided(const double *all, double volume, int dim, double *sum)
+{
+    const double share = volume / all[MERGED_VOLUME];
+    sum[MERGED_MASS] += share * all[MERGED_MASS];
+    sum[MERGED_WORK] += share * all[MERGED_WORK];
+    for (int a = 0; a < dim; ++a) sum[MERGED_MOMENTUM + a] += share * all[MERGED_MOMENTUM + a];
+}
+
+/* The part of a cell that is no member any more. */
+static void release_member(const ice *s, const ice_member *k, const double *all)
+{
+    const ice_fluid *m = &ice_member_view(s, k)->m[0];
+    double square = 0.0;
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        m->u1[a][k->at] = all[MERGED_MOMENTUM + a] / all[MERGED_MASS];
+        square += m->u1[a][k->at] * m->u1[a][k->at];
+    }
+    m->rho1[k->at] = all[MERGED_MASS] / all[MERGED_VOLUME];
+    m->e1[k->at] = all[MERGED_WORK] / all[MERGED_MASS] - 0.5 * square;
+}
+
+/* What the members have after the step: each its own, or its part of what was divided. */
+static floe_status collect_contents(const ice *s, ice_merged_cells *was, ice_merged_cells *p)
+{
+    int *to;
+    TRY(memory_new(s->ctx, &to, (size_t)was->count + 1, sizeof *to));
+    find_divided(s, was, p, to);
+    ice_clear_merged(p);
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const double *all = divided_sums(s, was, to, m->cell), volume = m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        sum[MERGED_VOLUME] += volume;
+        if (all)
+            add_divided(all, volume, s->mesh->dim, sum);
+        else
+            add_contents(s, m, sum);
+    }
+    for (int k = 0; k < was->n; ++k) {
+        const ice_member *m = &was->member[k];
+        const double *all = divided_sums(s, was, to, m->cell);
+        if (all && p->place[cut_index(s->mesh, m->cell)] < 0) release_member(s, m, all);
+    }
+    memory_free(s->ctx, &to);
+    return FLOE_OK;
 }
 
 static void renew_open(const ice *s, const ice_region *g)
@@ -146,8 +236,7 @@ floe_status ice_advect_merged(ice *s, const ice_region *g)
         empty_elsewhere(s);
         return FLOE_OK;
     }
-    ice_clear_merged(p);
-    for (int k = 0; k < p->n; ++k) add_contents(s, &p->member[k], p->sum + (size_t)p->member[k].merged * MERGED_SUMS);
+    TRY(collect_contents(s, &s->cut_cells->now[g->number], p));
     empty_elsewhere(s);
     return share_out(s, p, true);
 }
