@@ -1,5 +1,6 @@
 /* Forces of fluids on bodies beside a sharp interface: a block in a channel whose surface lies on faces of the mesh has the lift of its mirror image; a plate whose
- * end lies within cells that of one on faces; a disc that deforms is lifted by the weight of what it displaces (Archimedes). */
+ * end lies within cells that of one on faces; a disc that deforms is lifted by the weight of what it displaces (Archimedes). A disc that drifts past a change of the
+ * cells with which others are merged leaves the pressure as it is. */
 #include "coupled_fixture.h"
 
 #include "mpm/surface/boundary.h"
