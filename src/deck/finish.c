@@ -4,6 +4,7 @@
 #include "scene/formula.h"
 #include "scene/side_parts.h"
 #include "scene/slender.h"
+#include "scene/state.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -35,6 +36,7 @@ static void finish_bodies(scene *s, bool sound)
         for (int axis = s->mesh.dim; axis < MESH_MAX_DIM; axis++) b->per_cell[axis] = 1;
         char key[SCENE_NAME + 16];
         (void)snprintf(key, sizeof key, "bodies.%s.points", b->name);
+        if (!scene_has_key(s, key)) membrane_seed(b);
         if (sound && !scene_has_key(s, key)) slender_seed(s, b);
         const bool solid = b->material >= 0 && s->material[b->material].kind == MATERIAL_SOLID;
         if (!solid || !isnan(b->temperature)) continue;

@@ -28,8 +28,15 @@ floe_status body_solid_state(const scene *s, int body, const double x[3], double
 
 /* How a body is filled with points on a mesh. */
 seed_spec body_seed_spec(const scene *s, const mesh *m, const scene_body *b);
-/* Its points, with their volumes; ids number them in this order. FLOE_BAD_INPUT says why they cannot be placed. */
+/* Its points, with their volumes at rest; ids number them in this order. FLOE_BAD_INPUT says why they cannot be placed. */
 floe_status body_points(const scene_body *b, context *ctx, const seed_spec *grid, seed_list *out);
+/* Points a cell of a membrane from which on its strain, by rate, hardly creeps (theory 8.1): along a curve, and along each direction of
+ * a surface. */
+enum { MEMBRANE_CURVE_POINTS = 8, MEMBRANE_SURFACE_POINTS = 4 };
+/* Gives a membrane its points a cell, where the deck does not. Other bodies stay as they are. */
+void membrane_seed(scene_body *b);
+/* Logarithmic strain that a point of a membrane, numbered from 0, must take up before there is tension. */
+double membrane_slack(const scene_membrane *m, size_t number);
 /* The rows in which the points of a membrane on a surface lie. */
 floe_status body_rows(const scene_body *b, context *ctx, const seed_spec *grid, sheet_rows *out);
 

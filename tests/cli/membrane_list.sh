@@ -132,3 +132,12 @@ for at in '[[0.3, 0.1, 0.14]]' '[[0.3, 0.1, 0.14], [0.3, 0.1, 0.14], [0.3, 0.1, 
     expect 2 "$FLOE" run deck/patch.yaml --set bodies.skin.membrane.surface="{points: {at: $at, area: 0.001}}" -o few --quiet
     has stderr 'make no surface: they are too few, or on one line'
 done
+
+# Few points of a membrane that is taut from the start let its strain creep, and are warned of; where the deck does not say there are enough.
+taut=(--set bodies.skin.membrane.strain=rate --set bodies.skin.membrane.smoothing=0 --set bodies.skin.membrane.slack=-0.1)
+expect 0 "$FLOE" check "$circle" --coupling ice-mpm "${taut[@]}" --set bodies.skin.membrane.number=30
+has stderr "membrane 'skin' is taut at the start and has 3.8 points a cell"
+for enough in bodies.skin.membrane.number=null bodies.skin.membrane.slack=0; do
+    expect 0 "$FLOE" check "$circle" --coupling ice-mpm "${taut[@]}" --set bodies.skin.membrane.number=30 --set "$enough"
+    ! grep -q 'is taut at the start' stderr || fault "it warns of a membrane that does not creep: $enough"
+done

@@ -188,9 +188,10 @@ static const key_spec body_keys[] = {
      .doc = "true: it is left out where it overlaps other solids, or other fluids if it is one; fluids always yield to "
             "solids, and else to the fluids before them; solids that overlap otherwise are refused"},
     {"points", KEY_WHOLES, WITHIN(1, 16), AT(scene_body, per_cell), .fallback = "2",
-     .doc = "material points along each axis of a cell; of a membrane, along it. Without it solids that are long and "
-            "thin, "
-            "with less than 10 points across, have 4 a cell across, where 2 would be soft as they bend"},
+     .doc =
+         "material points along each axis of a cell; of a membrane, along it. Without it solids that are long and "
+         "thin, with less than 10 points across, have 4 a cell across, where 2 would be soft as they bend; membranes "
+         "have 8 along a curve and 4 on a surface"},
     {"seeding", KEY_CHOICE, AT(scene_body, seeding), .fallback = "fitted", .choices = seeding_choices,
      .doc = "how points are placed"},
     {"merge", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_body, merge), .fallback = "0.3",

@@ -174,7 +174,7 @@ static const key_spec membrane_keys[] = {
      .applies = lies_along_curve, .belongs = "membranes without a 'surface'",
      .doc = "the line along which it lies, where it has no surface"},
     {"thickness", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene_membrane, thickness), .required = true,
-     .doc = "thickness; in 1-D the share of the section; of a curve in 3-D the section (m2)"},
+     .doc = "thickness at the start; in 1-D the share of the section; of a curve in 3-D the section (m2)"},
     {"number", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, number), .fallback = "0",
      .doc = "material points along the curve, or about as many on the surface; 0: by the body's `points` a cell"},
     {"length", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene_membrane, length),
@@ -190,7 +190,8 @@ static const key_spec membrane_keys[] = {
     {"smoothing", KEY_NUMBER, NULL, WITHIN(0.0, 0.0625), AT(scene_membrane, smoothing), .fallback = "0",
      .doc = "share of the fourth difference of their positions that is taken off in a step; with `strain: positions`"},
     {"slack", KEY_NUMBER, NULL, WITHIN(-2.0, 5.0), AT(scene_membrane, slack), .fallback = "0",
-     .doc = "logarithmic strain that must be taken up before there is tension; negative: taut at the start"},
+     .doc = "logarithmic strain that must be taken up before there is tension; negative: taut at the start. With "
+            "`section: thickness` the mass is that of the length or area without strain"},
     {"slack_from", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, slack_from), .fallback = "0",
      .doc = "first point with slack, counted from 1; 0: the first of all"},
     {"slack_to", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, slack_to), .fallback = "0",

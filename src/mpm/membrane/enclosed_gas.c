@@ -42,7 +42,8 @@ static double area_of(const mpm *s, const fields *f, int body, size_t k, double 
         a[1][i] = field_get(f, P_SURFACE_2, body, i)[k];
     }
     vec_cross(a[0], a[1], across);
-    return field_get(f, P_VOLUME0, body, 0)[k] / m->thickness * exp(2.0 * slack) * vec_norm(across);
+    const double rest = field_get(f, P_VOLUME0, body, 0)[k] / m->thickness;
+    return rest * (m->section == SECTION_THICKNESS ? 1.0 : exp(2.0 * slack)) * vec_norm(across);
 }
 
 /* Area vectors (m2) of the surface by number of its points, into h->force, and the sum of areas (m2). */

@@ -47,9 +47,12 @@ floe_status membrane_curve_measure(mpm *s, int body)
     membrane_curve_update(s, body, false);
     read_table(s, body, P_VOLUME0, false, curve->volume);
     read_table(s, body, P_STRAIN, false, curve->along); /* less its slack */
+    const scene_membrane *m = membrane_of(s, body);
     for (size_t q = 0; q < curve->n; ++q) {
-        const double section = membrane_of(s, body)->thickness * (around ? curve->x[3 * q] : 1.0);
-        curve->rest[q] = section > 0.0 ? curve->volume[q] / section * exp(-curve->along[q]) : 0.0;
+        /* Volumes at rest: those at the start where the volume stays. */
+        const double section = m->thickness * (around ? curve->x[3 * q] : 1.0),
+                     less = m->section == SECTION_THICKNESS ? 0.0 : curve->along[q];
+        curve->rest[q] = section > 0.0 ? curve->volume[q] / section * exp(-less) : 0.0;
     }
     return FLOE_OK;
 }

@@ -16,9 +16,7 @@ floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *gr
 
 double slack_of(const mpm *s, int body, size_t number)
 {
-    const scene_membrane *m = &s->scene->body[s->body[body].scene_body].membrane;
-    const long counted = (long)number + 1;
-    return counted >= m->slack_from && (m->slack_to == 0 || counted <= m->slack_to) ? m->slack : 0.0;
+    return membrane_slack(&s->scene->body[s->body[body].scene_body].membrane, number);
 }
 
 floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n)
