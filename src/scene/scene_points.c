@@ -51,7 +51,7 @@ floe_status body_points(const scene_body *b, context *ctx, const seed_spec *grid
     if (!b->membrane.present) return seed_shape(out, ctx, &b->shape, grid);
     TRY(membrane_points(b, ctx, grid, out));
     const scene_membrane *m = &b->membrane;
-    const double directions = m->surface.kind != SHEET_NONE ? 2.0 : 1.0;
+    const double directions = m->surface.kind != SHEET_NONE || grid->axisymmetric ? 2.0 : 1.0;
     if (m->slack == 0.0 || m->section != SECTION_THICKNESS) return FLOE_OK;
     for (size_t n = 0; n < out->n; n++) out->volume[n] *= exp(directions * membrane_slack(m, n));
     return FLOE_OK;

@@ -190,8 +190,10 @@ static const key_spec membrane_keys[] = {
     {"smoothing", KEY_NUMBER, NULL, WITHIN(0.0, 0.0625), AT(scene_membrane, smoothing), .fallback = "0",
      .doc = "share of the fourth difference of their positions that is taken off in a step; with `strain: positions`"},
     {"slack", KEY_NUMBER, NULL, WITHIN(-2.0, 5.0), AT(scene_membrane, slack), .fallback = "0",
-     .doc = "logarithmic strain that must be taken up before there is tension; negative: taut at the start. With "
-            "`section: thickness` the mass is that of the length or area without strain"},
+     .doc = "logarithmic strain that must be taken up before there is tension, about an axis and of a surface in both "
+            "directions; "
+            "negative: taut at the start. With `section: thickness` the mass is that of the length or area without "
+            "strain"},
     {"slack_from", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, slack_from), .fallback = "0",
      .doc = "first point with slack, counted from 1; 0: the first of all"},
     {"slack_to", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, slack_to), .fallback = "0",

@@ -49,9 +49,11 @@ floe_status membrane_curve_measure(mpm *s, int body)
     read_table(s, body, P_STRAIN, false, curve->along); /* less its slack */
     const scene_membrane *m = membrane_of(s, body);
     for (size_t q = 0; q < curve->n; ++q) {
-        /* Volumes at rest: those at the start where the volume stays. */
-        const double section = m->thickness * (around ? curve->x[3 * q] : 1.0),
-                     less = m->section == SECTION_THICKNESS ? 0.0 : curve->along[q];
+        /* Volumes at rest: those at the start where the volume stays; about an axis the radius at rest is another, too. */
+        const double section = m->thickness * (around ? curve->x[3 * q] : 1.0), less = m->section != SECTION_THICKNESS
+                                                                                           ? curve->along[q]
+                                                                                       : around ? -curve->along[q]
+                                                                                                : 0.0;
         curve->rest[q] = section > 0.0 ? curve->volume[q] / section * exp(-less) : 0.0;
     }
     return FLOE_OK;

@@ -26,6 +26,8 @@ floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n)
     const fields *f = s->domain->fields[blk];
     const long number = (long)n + 1;
     if (!is_surface(b)) field_get(f, P_STRAIN, body, 0)[k] = -slack_of(s, body, n);
+    if (!is_surface(b) && s->carries[P_STRAIN_HOOP])
+        field_get(f, P_STRAIN_HOOP, body, 0)[k] = 0.0 - slack_of(s, body, n);
     double *mass = &field_get(f, P_MASS, body, 0)[k];
     if (number == m->heavy_point) *mass = m->heavy_mass / scene_extent(s->scene);
     if (*mass > 0.0) return FLOE_OK;
