@@ -101,12 +101,13 @@ static inline size_t cut_index(const mesh *m, const int cell[3])
 {
     return ((size_t)cell[2] * (size_t)m->n[1] + (size_t)cell[1]) * (size_t)m->n[0] + (size_t)cell[0];
 }
-/* Component of the place of the middle of a piece (m). */
+/* Component of the place of the middle of a piece (m), of its images around a periodic axis that at its cell: corners of solids give pieces to the
+ * cells in front of them. */
 static inline double cut_at_middle(const cut_surface *c, const cut_piece *q, int axis)
 {
     double sum = q->weight[0] * c->vertex[q->vertex[0]].x[axis];
     for (int k = 1; k < c->mesh->dim; ++k) sum += q->weight[k] * c->vertex[q->vertex[k]].x[axis];
-    return sum;
+    return sum + mesh_to_image(c->mesh, axis, sum, mesh_centre(c->mesh, axis, c->cell[q->cell].cell[axis]));
 }
 /* Open fraction of a cell, moment of its open part, and aperture of one of its faces; of the gas outside it is one less that. */
 static inline double cut_open(const cut_surface *c, const int cell[3])

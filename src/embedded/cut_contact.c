@@ -25,6 +25,7 @@ static double common_area(const defect *d, const cut_piece *q)
 static void close_sides(const cut_surface *c, cut_cell *k)
 {
     for (int a = 0; a < c->mesh->dim && k->open == 0.0; ++a) {
+        if (c->mesh->periodic[a]) continue;
         if (k->cell[a] == 0) k->face[a][SIDE_LOWER] = 0.0;
         if (k->cell[a] == c->mesh->n[a] - 1) k->face[a][SIDE_UPPER] = 0.0;
     }

@@ -53,8 +53,7 @@ static floe_status free_piece(cut_surface *c, int piece, cut_finisher *finish)
     if (!face_of(c, &c->piece[piece], k, &axis, &side, &share)) return FLOE_OK;
     if (k->open > 0.0 && !(share > hardly_open)) return FLOE_OK; /* round-off of a line that touches the side */
     int cell[3] = {k->cell[0], k->cell[1], k->cell[2]};
-    cell[axis] += side == SIDE_UPPER ? 1 : -1;
-    if (cell[axis] < 0 || cell[axis] >= c->mesh->n[axis]) return FLOE_OK;
+    if (!mesh_step(c->mesh, cell, axis, side == SIDE_UPPER ? 1 : -1)) return FLOE_OK;
     const bool is_new = c->at[cut_index(c->mesh, cell)] == CUT_NEW;
     TRY(cut_touch(c, cell, &at));
     if (is_new) TRY(finish(c, &c->cell[at]));

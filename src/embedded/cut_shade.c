@@ -49,8 +49,7 @@ static double corner_at(const cut_surface *c, const shade *s, int piece)
 static bool behind_face(const cut_surface *c, const cut_cell *k, int f, int cell[3])
 {
     for (int a = 0; a < 3; ++a) cell[a] = k->cell[a];
-    cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
-    return cell[f / 2] >= 0 && cell[f / 2] < c->mesh->n[f / 2];
+    return mesh_step(c->mesh, cell, f / 2, f % 2 == SIDE_UPPER ? 1 : -1);
 }
 
 /* The face through which a small cell is merged; -1: it is not. */
@@ -76,7 +75,7 @@ static void find_parts(const cut_surface *c, shade *s, int piece)
     if (k->overlap || !(k->open > 0.0)) return;
     /* Beneath bodies that leave a side of the mesh films open, with the gas of their cells. */
     for (int a = 0; a < 2; ++a)
-        if (k->cell[a] == 0 || k->cell[a] == c->mesh->n[a] - 1) return;
+        if (!c->mesh->periodic[a] && (k->cell[a] == 0 || k->cell[a] == c->mesh->n[a] - 1)) return;
     const double corner = corner_at(c, s, piece);
     const int way = corner > 0.0 ? way_out(c, k) : -1;
     for (int f = 0; f < 4 && corner > 0.0; ++f) {

@@ -116,6 +116,23 @@ int mesh_cell_of(const mesh *m, int axis, double x);
 int mesh_tile_of(const mesh *m, const int cell[MESH_MAX_DIM]);
 int mesh_block_of(const mesh *m, const int cell[MESH_MAX_DIM]);
 
+/* Steps from a global cell along an axis, around a periodic one; false: beyond a side. */
+static inline bool mesh_step(const mesh *m, int cell[MESH_MAX_DIM], int axis, int step)
+{
+    const int n = m->n[axis];
+    cell[axis] += step;
+    if (cell[axis] >= 0 && cell[axis] < n) return true;
+    cell[axis] += cell[axis] < 0 ? n : -n;
+    return axis < m->dim && m->periodic[axis];
+}
+/* What to add to a place along an axis (m) to have that of its images which is nearest to another; 0 where the axis is not periodic. */
+static inline double mesh_to_image(const mesh *m, int axis, double x, double near)
+{
+    const double length = m->upper[axis] - m->lower[axis], way = near - x;
+    if (axis >= m->dim || !m->periodic[axis]) return 0.0;
+    return way > 0.5 * length ? length : way < -0.5 * length ? -length : 0.0;
+}
+
 /* Cells of the whole mesh, and its tiles. */
 size_t mesh_cells(const mesh *m);
 size_t mesh_tiles(const mesh *m);

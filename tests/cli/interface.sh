@@ -215,6 +215,13 @@ for pressure in explicit implicit; do
         near "$(mean there/history.csv $column 0.1)" "$(mean here/history.csv $column 0.1)" 1e-9
     done
 done
+# A box whose last cells are open by a twentieth: they are merged with those beyond the side, and its corners shade those.
+box=(--set 'bodies.ball.shape={box: {lower: [0.361 + s, 0.338], upper: [0.6237 + s, 0.5613]}}')
+expect 0 "$FLOE" run around.yaml -o here --quiet "${box[@]}"
+expect 0 "$FLOE" run around.yaml -o there --quiet "${box[@]}" --set constants.s='15 * 0.025'
+for column in kinetic_air internal_air pressure_air force_ball_y; do
+    near "$(mean there/history.csv $column 0.1)" "$(mean here/history.csv $column 0.1)" 1e-9
+done
 across=(--set constants.s=0.4)
 expect 0 "$FLOE" check around.yaml "${across[@]}"
 has stderr 'does not go on across the periodic sides at (0, 0.3'

@@ -52,11 +52,6 @@ double ice_open_face(const ice *s, int region, int place, const int cell[3], int
     return enclosed == 0.0 ? whole : share_left(s, whole, enclosed);
 }
 
-static bool is_in_domain(const mesh *m, const int cell[3])
-{
-    return cell[0] >= 0 && cell[0] < m->n[0] && cell[1] >= 0 && cell[1] < m->n[1] && cell[2] >= 0 && cell[2] < m->n[2];
-}
-
 double ice_mean_face(const ice *s, int region, const int cell[3], int axis, int side)
 {
     double sum = 0.0;
@@ -221,8 +216,7 @@ static bool find_neighbour(const ice *s, const ice_region *g, int place, int thr
     double best = 0.0;
     for (int f = 0; f < 2 * s->mesh->dim; ++f) {
         int cell[3] = {k->cell[0], k->cell[1], k->cell[2]};
-        cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
-        if (!is_in_domain(s->mesh, cell)) continue;
+        if (!mesh_step(s->mesh, cell, f / 2, f % 2 == SIDE_UPPER ? 1 : -1)) continue;
         const double open = fluid_volume_of_cell(s, g, place, cell);
         const double score =
             open * ice_open_face(s, g->number, through, k->cell, f / 2, f % 2) * likeness(s, g, k, cell);
@@ -240,9 +234,11 @@ static bool find_refuge(const ice *s, const ice_region *g, int place, const ice_
     double best = 0.0;
     const int around = s->mesh->dim > 2 ? 27 : 9;
     for (int n = 0; n < around; ++n) {
-        const int cell[3] = {k->cell[0] + n % 3 - 1, k->cell[1] + n / 3 % 3 - 1,
-                             k->cell[2] + (s->mesh->dim > 2 ? n / 9 - 1 : 0)};
-        if (n == around / 2 || !is_in_domain(s->mesh, cell)) continue;
+        const int step[3] = {n % 3 - 1, n / 3 % 3 - 1, s->mesh->dim > 2 ? n / 9 - 1 : 0};
+        int cell[3] = {k->cell[0], k->cell[1], k->cell[2]};
+        bool inside = n != around / 2;
+        for (int a = 0; a < 3; ++a) inside = mesh_step(s->mesh, cell, a, step[a]) && inside;
+        if (!inside) continue;
         const double open = fluid_volume_of_cell(s, g, place, cell);
         if (!(open > best)) continue;
         best = open;
@@ -306,8 +302,7 @@ static int way_out(const ice *s, const step_places *l, const ice_merged_cells *p
     for (int n = 0; n < l->n; ++n)
         for (int f = 0; f < 2 * s->mesh->dim; ++f) {
             int cell[3] = {m->cell[0], m->cell[1], m->cell[2]};
-            cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
-            if (!is_in_domain(s->mesh, cell)) continue;
+            if (!mesh_step(s->mesh, cell, f / 2, f % 2 == SIDE_UPPER ? 1 : -1)) continue;
             const int other = p->place[cut_index(s->mesh, cell)];
             if (other < 0 || is_thin(p, end_of_chain(p, other))) continue;
             if (ice_open_face(s, p->region->number, l->at[n], m->cell, f / 2, f % 2) > 0.0) return other;
@@ -353,8 +348,7 @@ static int along_joint(const ice *s, const step_places *l, const ice_merged_cell
     const ice_member *m = &p->member[k];
     for (int f = 0; f < 2 * s->mesh->dim; ++f) {
         int cell[3] = {m->cell[0], m->cell[1], m->cell[2]};
-        cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
-        if (!is_in_domain(s->mesh, cell)) continue;
+        if (!mesh_step(s->mesh, cell, f / 2, f % 2 == SIDE_UPPER ? 1 : -1)) continue;
         const int other = p->place[cut_index(s->mesh, cell)];
         if (other >= 0 && p->lead[other] >= 0 && is_crossed(s, l, p->region->number, m->cell, f / 2, f % 2))
             return p->lead[other];

@@ -18,8 +18,7 @@ typedef struct outlet {
 static bool is_inner(const ice *s, const ice_merged_cells *p, const outlet *f)
 {
     int cell[3] = {f->m->cell[0], f->m->cell[1], f->m->cell[2]};
-    cell[f->axis] += f->side == SIDE_UPPER ? 1 : -1;
-    if (cell[f->axis] < 0 || cell[f->axis] >= s->mesh->n[f->axis]) return false;
+    if (!mesh_step(s->mesh, cell, f->axis, f->side == SIDE_UPPER ? 1 : -1)) return false;
     const int place = p->place[cut_index(s->mesh, cell)];
     return place >= 0 && p->member[place].merged == f->m->merged;
 }

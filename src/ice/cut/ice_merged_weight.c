@@ -28,6 +28,13 @@ static double moment_of(const ice *s, int region, int place, const int cell[3], 
     return enclosed == 0.0 ? whole : whole - enclosed;
 }
 
+/* Place of a member's cell (m), of its images around periodic sides that beside the first member of its merged cell. */
+static double centre_beside_lead(const ice *s, const ice_merged_cells *p, const ice_member *m, int axis)
+{
+    const double x = mesh_centre(s->mesh, axis, m->cell[axis]);
+    return x + mesh_to_image(s->mesh, axis, x, mesh_centre(s->mesh, axis, p->member[p->lead[m->merged]].cell[axis]));
+}
+
 void ice_merged_centre(const ice *s, int place, ice_merged_cells *p)
 {
     ice_clear_merged(p);
@@ -39,7 +46,7 @@ void ice_merged_centre(const ice *s, int place, ice_merged_cells *p)
         for (int a = 0; a < s->mesh->dim; ++a) {
             const double moment =
                 m->open > 0.0 && m->open < 1.0 ? moment_of(s, p->region->number, place, m->cell, a) : 0.0;
-            sum[MERGED_MOMENTUM + a] += volume * (m->open * mesh_centre(s->mesh, a, m->cell[a]) + moment);
+            sum[MERGED_MOMENTUM + a] += volume * (m->open * centre_beside_lead(s, p, m, a) + moment);
             m->own[a] = m->open > 0.0 ? moment / m->open : 0.0;
         }
     }
@@ -48,7 +55,7 @@ void ice_merged_centre(const ice *s, int place, ice_merged_cells *p)
         const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
         for (int a = 0; a < s->mesh->dim; ++a)
             m->above[a] = sum[MERGED_VOLUME] > 0.0
-                              ? mesh_centre(s->mesh, a, m->cell[a]) - sum[MERGED_MOMENTUM + a] / sum[MERGED_VOLUME]
+                              ? centre_beside_lead(s, p, m, a) - sum[MERGED_MOMENTUM + a] / sum[MERGED_VOLUME]
                               : 0.0;
     }
 }
@@ -175,8 +182,7 @@ static void reach_beside(rest_fill *f, int number)
     for (int side = 0; side < 2 * m->dim; ++side) {
         int cell[3] = {here[0], here[1], here[2]};
         const int axis = side / 2, step = side % 2 == SIDE_UPPER ? 1 : -1;
-        cell[axis] += step;
-        if (cell[axis] < 0 || cell[axis] >= m->n[axis] || !has_gas(s, cell)) continue;
+        if (!mesh_step(m, cell, axis, step) || !has_gas(s, cell)) continue;
         if (!(ice_open_face(s, f->p->region->number, CUT_NOW, here, axis, side % 2) > 0.0)) continue;
         const int other = (int)cut_index(m, cell);
         if (!isnan(f->pressure[other])) continue;
@@ -238,8 +244,7 @@ static double balance_merged_cell(const rest_fill *f, int merged, const ice_give
         for (int side = 0; side < 2 * m->dim && q->merged == merged; ++side) {
             int cell[3] = {q->cell[0], q->cell[1], q->cell[2]};
             const int axis = side / 2, step = side % 2 == SIDE_UPPER ? 1 : -1;
-            cell[axis] += step;
-            if (ice_weight_along(s, axis) == 0.0 || cell[axis] < 0 || cell[axis] >= m->n[axis]) continue;
+            if (ice_weight_along(s, axis) == 0.0 || !mesh_step(m, cell, axis, step)) continue;
             if (f->p->place[cut_index(m, cell)] >= 0 || !(q->open > 0.0) || !has_gas(s, cell)) continue;
             if (!(ice_open_face(s, f->p->region->number, CUT_NOW, q->cell, axis, side % 2) > 0.0)) continue;
             const int beside = (int)cut_index(m, cell);
