@@ -231,7 +231,7 @@ moving=(--set 'bodies.ball.motion={velocity: [0.5, 0]}')
 expect 0 "$FLOE" check around.yaml "${moving[@]}"
 has stderr "where body 'ball' comes to a periodic side; method.interface: sharp takes it up to there"
 expect 3 "$FLOE" run around.yaml -o moved --quiet "${moving[@]}" --set method.interface=sharp --set time.end=1
-has stderr 'does not go on across the periodic sides at (0, 0.4'
+has stderr 'sharp ends where solids come to touch each other or a side'
 wall=(--set 'bodies.ball={material: steel, shape: {box: {lower: [0.513, 0], upper: [0.613, 1]}}}' --set 'boundaries.x=slip'
     --set 'bodies.charge.shape={box: {lower: [0, 0], upper: [0.2, 1]}}')
 expect 0 "$FLOE" run around.yaml -o around --quiet "${wall[@]}"
