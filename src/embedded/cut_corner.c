@@ -39,10 +39,22 @@ static bool face_of(const cut_surface *c, const cut_piece *q, const cut_cell *k,
     return false;
 }
 
-static void close_share(const cut_surface *c, cut_cell *k, int axis, int side, double share)
+floe_status cut_reach_behind(cut_surface *c, int cell, int face, cut_finisher *finish, int *at)
 {
+    const cut_cell *k = &c->cell[cell];
+    int behind[3] = {k->cell[0], k->cell[1], k->cell[2]};
+    *at = -1;
+    if (!mesh_step(c->mesh, behind, face / 2, face % 2 == SIDE_UPPER ? 1 : -1)) return FLOE_OK;
+    const bool is_new = c->at[cut_index(c->mesh, behind)] == CUT_NEW;
+    TRY(cut_touch(c, behind, at));
+    return is_new ? finish(c, &c->cell[*at]) : FLOE_OK;
+}
+
+void cut_close_share(const cut_surface *c, cut_cell *k, int face, double share)
+{
+    double *open = &k->face[face / 2][face % 2];
     cut_shares found = {.sound = true};
-    k->face[axis][side] = cut_snapped_face(c, k->face[axis][side] - share, &found);
+    *open = cut_snapped_face(c, *open - share, &found);
 }
 
 static floe_status free_piece(cut_surface *c, int piece, cut_finisher *finish)
@@ -52,13 +64,11 @@ static floe_status free_piece(cut_surface *c, int piece, cut_finisher *finish)
     double share;
     if (!face_of(c, &c->piece[piece], k, &axis, &side, &share)) return FLOE_OK;
     if (k->open > 0.0 && !(share > hardly_open)) return FLOE_OK; /* round-off of a line that touches the side */
-    int cell[3] = {k->cell[0], k->cell[1], k->cell[2]};
-    if (!mesh_step(c->mesh, cell, axis, side == SIDE_UPPER ? 1 : -1)) return FLOE_OK;
-    const bool is_new = c->at[cut_index(c->mesh, cell)] == CUT_NEW;
-    TRY(cut_touch(c, cell, &at));
-    if (is_new) TRY(finish(c, &c->cell[at]));
-    close_share(c, &c->cell[c->piece[piece].cell], axis, side, share);
-    close_share(c, &c->cell[at], axis, 1 - side, share);
+    const int face = 2 * axis + side;
+    TRY(cut_reach_behind(c, c->piece[piece].cell, face, finish, &at));
+    if (at < 0) return FLOE_OK;
+    cut_close_share(c, &c->cell[c->piece[piece].cell], face, share);
+    cut_close_share(c, &c->cell[at], face ^ 1, share);
     c->piece[piece].cell = at;
     return FLOE_OK;
 }

@@ -43,6 +43,10 @@ floe_status cut_close_contacts(cut_surface *c);
 typedef floe_status cut_finisher(cut_surface *c, cut_cell *k);
 /* Cells without volume around corners of solids are no passage (cut_corner.c); `finish` is for cells that become cut by that. In the plane. */
 floe_status cut_free_corners(cut_surface *c, cut_finisher *finish);
+/* The cut cell behind face 2 axis + side of another, finished where it is new; -1: beyond a side of the mesh. */
+floe_status cut_reach_behind(cut_surface *c, int cell, int face, cut_finisher *finish, int *at);
+/* Closes a share of a face of a cell. */
+void cut_close_share(const cut_surface *c, cut_cell *k, int face, double share);
 /* Pieces behind faces that corners of solids shade, in part those of the cells in front of them (cut_shade.c). In the plane. */
 floe_status cut_shade_corners(cut_surface *c, cut_finisher *finish);
 /* Nodes of the mesh, and number of one in `node`. */

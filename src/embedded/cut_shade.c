@@ -92,33 +92,25 @@ static double face_size(const cut_surface *c, const cut_cell *k, int f)
     return mesh_face_area(c->mesh, f / 2, k->cell[0] + (f == SIDE_UPPER));
 }
 
-static void close_part(const cut_surface *c, cut_cell *k, int axis, int side, double share)
-{
-    cut_shares found = {.sound = true};
-    k->face[axis][side] = cut_snapped_face(c, k->face[axis][side] - share, &found);
-}
-
 /* Gives the cell behind face f a part of a piece's area along the axis, as far as the face is open. */
 static floe_status hand_over(cut_surface *c, int piece, int f, double part, cut_finisher *finish)
 {
     const int axis = f / 2, side = f % 2, own = c->piece[piece].cell;
-    int cell[3], at;
-    if (!behind_face(c, &c->cell[own], f, cell)) return FLOE_OK;
-    const bool is_new = c->at[cut_index(c->mesh, cell)] == CUT_NEW;
-    TRY(cut_touch(c, cell, &at));
-    if (is_new) TRY(finish(c, &c->cell[at]));
+    int at;
+    TRY(cut_reach_behind(c, own, f, finish, &at));
+    if (at < 0) return FLOE_OK;
     const double size = face_size(c, &c->cell[own], f), area = c->piece[piece].area[axis];
     const double open = fmin(c->cell[own].face[axis][side], c->cell[at].face[axis][1 - side]);
     const double share = fmin(part * fabs(area) / size, open);
     if (!(share > 0.0)) return FLOE_OK;
-    close_part(c, &c->cell[own], axis, side, share);
-    close_part(c, &c->cell[at], axis, 1 - side, share);
+    cut_close_share(c, &c->cell[own], f, share);
+    cut_close_share(c, &c->cell[at], f ^ 1, share);
     cut_piece given = c->piece[piece];
     for (int a = 0; a < 3; ++a) given.area[a] = 0.0;
     given.area[axis] = copysign(share * size, area);
     given.through = 1 + 2 * axis + (1 - side);
     c->piece[piece].area[axis] -= given.area[axis];
-    return cut_add_piece(c, cell, &given, &(cut_part){0});
+    return cut_add_piece(c, c->cell[at].cell, &given, &(cut_part){0});
 }
 
 static floe_status share_pieces(cut_surface *c, shade *s, int cells, int pieces, cut_finisher *finish)

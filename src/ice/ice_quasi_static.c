@@ -87,9 +87,7 @@ static double gas_share_of_cell(const ice *s, int r, const int cell[MESH_MAX_DIM
 static bool find_cell_beside(const mesh *m, const int from[MESH_MAX_DIM], int axis, int side, int out[MESH_MAX_DIM])
 {
     memcpy(out, from, MESH_MAX_DIM * sizeof *out);
-    out[axis] += side == SIDE_UPPER ? 1 : -1;
-    if (m->periodic[axis]) out[axis] = (out[axis] + m->n[axis]) % m->n[axis];
-    return out[axis] >= 0 && out[axis] < m->n[axis];
+    return mesh_step(m, out, axis, side == SIDE_UPPER ? 1 : -1);
 }
 
 static bool gas_passes_face(const ice *s, const ice_quasi_static *r, const int cell[MESH_MAX_DIM], int axis, int side)

@@ -197,19 +197,14 @@ static floe_status take_name(new_file *f, const char *kept)
     return sync_folder(f);
 }
 
-floe_status new_file_finish(new_file *f, const char *kept)
+floe_status new_file_finish(new_file *f, floe_status so_far, const char *kept)
 {
-    const floe_status status = take_name(f, kept);
-    new_file_abandon(f);
-    return status;
-}
-
-void new_file_abandon(new_file *f)
-{
+    const floe_status status = so_far == FLOE_OK ? take_name(f, kept) : so_far;
     if (f->descriptor >= 0) (void)close(f->descriptor);
     f->descriptor = -1;
     if (f->folder >= 0 && f->temporary) (void)unlinkat(f->folder, f->temporary, 0);
     close_folder_of(f);
+    return status;
 }
 
 floe_status file_replace_keeping(context *ctx, const char *path, const char *kept, const file_part *part, int parts)
@@ -217,12 +212,9 @@ floe_status file_replace_keeping(context *ctx, const char *path, const char *kep
     new_file f;
     const floe_status status = new_file_begin(&f, ctx, path);
     uint64_t at = 0;
-    if (status != FLOE_OK) {
-        new_file_abandon(&f);
-        return status;
-    }
-    for (int i = 0; i < parts; at += part[i].size, i++) new_file_write(&f, at, part[i].data, part[i].size);
-    return new_file_finish(&f, kept);
+    for (int i = 0; i < parts && status == FLOE_OK; at += part[i].size, i++)
+        new_file_write(&f, at, part[i].data, part[i].size);
+    return new_file_finish(&f, status, kept);
 }
 
 floe_status file_replace(context *ctx, const char *path, const file_part *part, int parts)

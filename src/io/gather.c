@@ -11,16 +11,9 @@ static int compare_id(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static size_t count_points(const sim *s, int body)
-{
-    size_t n = 0;
-    for (int b = 0; b < s->mesh.n_blocks; b++) n += s->mpm->points[b][body].n;
-    return n;
-}
-
 floe_status point_list_make(point_list *out, const sim *s, int body)
 {
-    *out = (point_list){.body = body, .n = count_points(s, body)};
+    *out = (point_list){.body = body, .n = mpm_body_points(s->mpm, body)};
     TRY(memory_new(s->ctx, &out->place, out->n, sizeof *out->place));
     size_t at = 0;
     for (int b = 0; b < s->mesh.n_blocks; b++) {

@@ -48,11 +48,11 @@ floe_status hdf_create(hdf_file *out, new_file *file, uint64_t at)
     return out->id < 0 ? hdf_fail(out, "make", out->name) : FLOE_OK;
 }
 
-floe_status hdf_finish(hdf_file *file)
+floe_status hdf_finish(hdf_file *file, floe_status so_far)
 {
     const herr_t closed = H5Fclose(file->id);
     file->id = H5I_INVALID_HID;
-    return closed < 0 ? hdf_fail(file, "finish", "/") : FLOE_OK;
+    return so_far == FLOE_OK && closed < 0 ? hdf_fail(file, "finish", "/") : so_far;
 }
 
 floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *image, size_t size)

@@ -27,9 +27,9 @@ typedef struct hdf_shape {
 
 /* Makes an empty HDF5 file in a new file, behind `at` bytes of something else (io/hdf_driver.h). */
 floe_status hdf_create(hdf_file *out, new_file *file, uint64_t at);
-/* Writes what is left to be written and closes the file; FLOE_IO if HDF5 cannot. Whether all of it could be written is told
- * by new_file_finish. */
-floe_status hdf_finish(hdf_file *file);
+/* Closes the file, and before that writes what is left to be written: FLOE_IO if HDF5 cannot, or `so_far` where that is none.
+ * Whether all of it could be written is told by new_file_finish. */
+floe_status hdf_finish(hdf_file *file, floe_status so_far);
 /* Opens an image of `size` bytes for reading, which must outlive the file (or be its own, `data`). FLOE_IO also for what floe does not write:
  * links that lead elsewhere, data in other files, filters (io/hdf_whole.h). */
 floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *image, size_t size);

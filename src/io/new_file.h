@@ -17,7 +17,7 @@ typedef struct new_file {
     int error;        /* number of the first error in writing; 0: none */
 } new_file;
 
-/* Makes NAME.tmp in the folder of `path`, which must outlive the file. In any case new_file_finish or new_file_abandon follows. */
+/* Makes NAME.tmp in the folder of `path`, which must outlive the file. new_file_finish follows in any case. */
 floe_status new_file_begin(new_file *f, context *ctx, const char *path);
 /* Writes `size` bytes from place `at` on; after an error nothing is written any more. */
 void new_file_write(new_file *f, uint64_t at, const void *data, size_t size);
@@ -27,10 +27,9 @@ bool new_file_read(new_file *f, uint64_t at, void *data, size_t size);
 uint64_t new_file_size(new_file *f);
 /* Cuts the file off at `size` bytes, or lengthens it by zeros. */
 void new_file_set_size(new_file *f, uint64_t size);
-/* Syncs the file and gives it its name; an earlier file of that name stays under the name `kept` of the same folder (NULL: it
- * goes). On failure, FLOE_IO, the earlier file is untouched and the new one gone. The file is closed. */
-floe_status new_file_finish(new_file *f, const char *kept);
-/* Removes and closes the file; a finished one is fine. */
-void new_file_abandon(new_file *f);
+/* With `so_far` FLOE_OK syncs the file and gives it its name; an earlier file of that name stays under the name `kept` of the same
+ * folder (NULL: it goes). On failure, FLOE_IO, or with another `so_far`, which is returned, the earlier file is untouched and the new
+ * one gone. The file is closed. */
+floe_status new_file_finish(new_file *f, floe_status so_far, const char *kept);
 
 #endif

@@ -87,12 +87,10 @@ static floe_status write_header(new_file *file, sealed_kind kind, uint32_t forma
     return FLOE_OK;
 }
 
-floe_status sealed_finish(new_file *file, sealed_kind kind, uint32_t format, const char *kept)
+floe_status sealed_finish(new_file *file, floe_status so_far, sealed_kind kind, uint32_t format, const char *kept)
 {
-    const floe_status status = write_header(file, kind, format);
-    if (status == FLOE_OK) return new_file_finish(file, kept);
-    new_file_abandon(file);
-    return status;
+    const floe_status status = so_far == FLOE_OK ? write_header(file, kind, format) : so_far;
+    return new_file_finish(file, status, kept);
 }
 
 /* The file is whole: it is what floe once wrote. */

@@ -18,8 +18,9 @@ typedef enum sealed_kind { SEALED_CHECKPOINT = 1, SEALED_SNAPSHOT = 2 } sealed_k
 
 enum { SEALED_HEADER = 512 };
 
-/* Seals a new file, whose HDF5 part has been written from byte SEALED_HEADER on, and finishes it (new_file_finish). */
-floe_status sealed_finish(new_file *file, sealed_kind kind, uint32_t format, const char *kept);
+/* Seals a new file, whose HDF5 part has been written from byte SEALED_HEADER on, if `so_far` is FLOE_OK; finishes it in any case
+ * (new_file_finish). */
+floe_status sealed_finish(new_file *file, floe_status so_far, sealed_kind kind, uint32_t format, const char *kept);
 
 /* A sealed file in memory. */
 typedef struct sealed_file {

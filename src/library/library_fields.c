@@ -208,12 +208,10 @@ static floe_status copy_points(floe_simulation *s, const named_field *f, size_t 
 static size_t count_numbers(const floe_simulation *s, const named_field *f)
 {
     const int *cells = s->sim->mesh.n;
-    size_t n = 0;
     if (f->centring != FLOE_POINTS)
         return (size_t)f->components * entries_along(s, f, cells, 0) * entries_along(s, f, cells, 1) *
                entries_along(s, f, cells, 2);
-    for (int b = 0; b < s->sim->mesh.n_blocks; b++) n += s->sim->mpm->points[b][f->body].n;
-    return n * (size_t)f->components;
+    return (size_t)f->components * mpm_body_points(s->sim->mpm, f->body);
 }
 
 floe_status floe_copy_field(floe_simulation *s, const char *name, double *to, size_t n, size_t *needed)

@@ -52,8 +52,7 @@ static double output_bytes_of(const sim *s)
     double all = 0.0, largest = 0.0;
     const double cells = s->ice ? (double)mesh_cells(&s->mesh) : 0.0;
     for (int body = 0; s->mpm && body < s->mpm->n_bodies; ++body) {
-        double points = 0.0;
-        for (int b = 0; b < s->mesh.n_blocks; b++) points += (double)s->mpm->points[b][body].n;
+        const double points = (double)mpm_body_points(s->mpm, body);
         all += points;
         largest = fmax(largest, points);
     }

@@ -477,8 +477,7 @@ static floe_status find_sharing(scene *s, const mesh *m)
 {
     bool used[SCENE_MAX_MATERIALS] = {false};
     s->fluids_share = false;
-    if (count_fluids(s) < 2 || is_periodic(m))
-        return FLOE_OK; /* between periodic sides one alone (needs_one_fluid_around) */
+    if (count_fluids(s) < 2 || is_periodic(m)) return FLOE_OK;
     s->fluids_share = s->n_reactions > 0 || mass_source_joins(s); /* a product comes to be where its reactant is */
     if (s->fluids_share) return FLOE_OK;
     ice_find_used(s, false, used);

@@ -118,7 +118,7 @@ static void forge(context *ctx, const char *from, const char *to, sealed_kind ki
     new_file made;
     check_ok(ctx, new_file_begin(&made, ctx, to));
     new_file_write(&made, SEALED_HEADER, image, (size_t)size);
-    check_ok(ctx, sealed_finish(&made, kind, format, NULL));
+    check_ok(ctx, sealed_finish(&made, FLOE_OK, kind, format, NULL));
     memory_free(ctx, &image);
     sealed_free(ctx, &file);
 }

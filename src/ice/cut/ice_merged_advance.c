@@ -6,20 +6,6 @@
 #include "ice/cut/ice_merged_cells.h"
 #include "ice/cut/ice_merged_pieces.h"
 
-/* The place of a cell among the members, around periodic sides; -1: it is none, or beyond a side. */
-static int member_at(const ice *s, const ice_merged_cells *p, int cell[3], bool *inside)
-{
-    const mesh *m = s->mesh;
-    *inside = true;
-    for (int a = 0; a < m->dim; ++a) {
-        if (cell[a] >= 0 && cell[a] < m->n[a]) continue;
-        *inside = m->periodic[a];
-        if (!*inside) return -1;
-        cell[a] += cell[a] < 0 ? m->n[a] : -m->n[a];
-    }
-    return p->place[cut_index(m, cell)];
-}
-
 /* What advection does to a velocity along an axis in a cell in the time by which u* is ahead. */
 static double advance_of(const ice_view *v, int axis, ptrdiff_t at)
 {
@@ -41,10 +27,8 @@ static void advance_face(const ice *s, const ice_merged_cells *p, const ice_view
     double gain = 0.0;
     for (int side = 0; side < 2; ++side) {
         int cell[3] = {b->lo[0] + in[0], b->lo[1] + in[1], b->lo[2] + in[2]};
-        bool inside;
-        cell[axis] += side - 1;
-        const int k = member_at(s, p, cell, &inside);
-        if (!inside) return; /* a side of the domain */
+        if (!mesh_step(s->mesh, cell, axis, side - 1)) return; /* a side of the domain */
+        const int k = p->place[cut_index(s->mesh, cell)];
         if (k < 0 || !(p->member[k].open > 0.0) || v->shock[beside[side]] < 1.0) continue;
         gain += rho[beside[side]] / both * advance_of(v, axis, beside[side]);
     }

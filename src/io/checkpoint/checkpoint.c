@@ -96,10 +96,7 @@ static floe_status fill_checkpoint(const sim *s, new_file *file, const checkpoin
 {
     hdf_file hdf;
     TRY(hdf_create(&hdf, file, SEALED_HEADER));
-    const floe_status status = write_content(s, &hdf, run);
-    if (status == FLOE_OK) return hdf_finish(&hdf);
-    hdf_close(&hdf);
-    return status;
+    return hdf_finish(&hdf, write_content(s, &hdf, run));
 }
 
 floe_status checkpoint_write(const sim *s, const char *path, const checkpoint_run *run)
@@ -107,9 +104,7 @@ floe_status checkpoint_write(const sim *s, const char *path, const checkpoint_ru
     new_file file;
     floe_status status = new_file_begin(&file, s->ctx, path);
     if (status == FLOE_OK) status = fill_checkpoint(s, &file, run);
-    if (status == FLOE_OK) return sealed_finish(&file, SEALED_CHECKPOINT, CHECKPOINT_FORMAT, run->kept);
-    new_file_abandon(&file);
-    return status;
+    return sealed_finish(&file, status, SEALED_CHECKPOINT, CHECKPOINT_FORMAT, run->kept);
 }
 
 /* What HDF5 adds to each array, and to the file. */
@@ -120,18 +115,11 @@ typedef struct size_sum {
     size_t bytes;
 } size_sum;
 
-static size_t body_points(const sim *s, int body)
-{
-    size_t n = 0;
-    for (int b = 0; b < s->mesh.n_blocks; b++) n += s->mpm->points[b][body].n;
-    return n;
-}
-
 static floe_status add_checkpoint_array(void *user, const state_array *array)
 {
     size_sum *sum = user;
     const bool points = field_describe(array->id)->centring == FIELD_POINT;
-    const size_t n = points ? body_points(sum->s, array->instance) : mesh_cells(&sum->s->mesh);
+    const size_t n = points ? mpm_body_points(sum->s->mpm, array->instance) : mesh_cells(&sum->s->mesh);
     sum->bytes += n * sizeof(double) + BYTES_BESIDE_ARRAY;
     return FLOE_OK;
 }

@@ -200,10 +200,7 @@ static floe_status fill_file(const snapshot_series *series, const sim *s, new_fi
 {
     hdf_file hdf;
     TRY(hdf_create(&hdf, file, SEALED_HEADER));
-    const floe_status status = fill_snapshot(series, s, &hdf, page, name);
-    if (status == FLOE_OK) return hdf_finish(&hdf);
-    hdf_close(&hdf);
-    return status;
+    return hdf_finish(&hdf, fill_snapshot(series, s, &hdf, page, name));
 }
 
 static floe_status write_file(const snapshot_series *series, const sim *s, const char *path, strbuf *page,
@@ -212,9 +209,7 @@ static floe_status write_file(const snapshot_series *series, const sim *s, const
     new_file file;
     floe_status status = new_file_begin(&file, series->ctx, path);
     if (status == FLOE_OK) status = fill_file(series, s, &file, page, name);
-    if (status == FLOE_OK) return sealed_finish(&file, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, NULL);
-    new_file_abandon(&file);
-    return status;
+    return sealed_finish(&file, status, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, NULL);
 }
 
 /* The next snapshot, and its part of the XDMF page. */
