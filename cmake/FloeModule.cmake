@@ -227,8 +227,10 @@ function(floe_library)
         list(APPEND objects $<TARGET_OBJECTS:${module}>)
     endforeach()
 
+    set(archives ${libraries})
+    list(TRANSFORM archives REPLACE "^${FLOE_HDF5}$" "${FLOE_HDF5_ARCHIVE}")
     add_library(floe_archive STATIC ${objects})
-    target_link_libraries(floe_archive PUBLIC floe_flags ${libraries})
+    target_link_libraries(floe_archive PUBLIC floe_flags ${archives})
 
     add_library(floe_shared SHARED ${objects})
     set_target_properties(floe_shared PROPERTIES OUTPUT_NAME floe VERSION ${PROJECT_VERSION}
