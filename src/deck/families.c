@@ -1,5 +1,6 @@
 /* Registries as the reader sees them: shapes, laws of solids, equations of state, exact solutions. */
 #include "deck/deck_internal.h"
+#include "geom/images.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -22,7 +23,7 @@ static void shape_store(void *field, const model_entry *entry, void *par)
 
 static bool shape_fetch(const void *field, const char **name, const void **par)
 {
-    const shape *s = field;
+    const shape *s = images_whole(field);
     if (!s->model) return false;
     *name = s->model->name;
     *par = s->par;

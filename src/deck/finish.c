@@ -1,5 +1,7 @@
 /* Defaults that depend on more than one key. */
 #include "deck/deck_internal.h"
+#include "geom/bounds.h"
+#include "geom/images.h"
 #include "scene/deck_location.h"
 #include "scene/formula.h"
 #include "scene/side_parts.h"
@@ -42,6 +44,33 @@ static void finish_bodies(scene *s, bool sound)
         if (!solid || !isnan(b->temperature)) continue;
         b->temperature = s->has_ambient ? s->ambient_temperature : ROOM_TEMPERATURE;
     }
+}
+
+/* Whether a shape goes beyond a periodic side. Boxes across the domain have nothing to add. */
+static bool passes_side(const scene *s, const shape *of, int axis)
+{
+    static const double round_off = 1e-9;
+    double lo[3], hi[3];
+    if (!s->mesh.periodic[axis] || !shape_bounds(of, s->mesh.dim, lo, hi)) return false;
+    const double beyond = round_off * s->mesh.cell[axis];
+    const bool below = lo[axis]<s->mesh.lower[axis] - beyond, above = hi[axis]> s->mesh.upper[axis] + beyond;
+    return (below || above) && !(below && above && shape_fills_bounds(of, s->mesh.dim));
+}
+
+/* What of a body lies beyond a periodic side comes in on the other. */
+static floe_status finish_shapes(scene *s)
+{
+    for (int i = 0; i < s->n_bodies; i++) {
+        shape *of = &s->body[i].shape;
+        bool around[3] = {false};
+        images *all;
+        if (!of->model) continue;
+        for (int a = 0; a < s->mesh.dim; ++a) around[a] = passes_side(s, of, a);
+        if (!(around[0] || around[1] || around[2])) continue;
+        TRY(scene_allocate(s, &all, sizeof *all));
+        *of = images_make(all, of, s->mesh.dim, s->mesh.lower, s->mesh.upper, around, 0.0);
+    }
+    return FLOE_OK;
 }
 
 /* The only fluid of the scene, -1 when there is none or a choice. */
@@ -108,6 +137,7 @@ static void finish_inlets(scene *s)
 floe_status finish_scene(reader *r)
 {
     finish_mesh(r->scene);
+    if (r->errors->count == 0) TRY(finish_shapes(r->scene));
     finish_materials(r->scene);
     finish_bodies(r->scene, r->errors->count == 0);
     finish_inlets(r->scene);

@@ -296,10 +296,18 @@ static floe_status check_around(const cut_surface *c)
     return FLOE_OK;
 }
 
+static void bring_around(cut_surface *c)
+{
+    for (int a = 0; a < c->mesh->dim; ++a)
+        for (int k = 0; c->mesh->periodic[a] && k < c->n_vertices; ++k)
+            c->vertex[k].x[a] = mesh_brought_around(c->mesh, a, c->vertex[k].x[a]);
+}
+
 floe_status cut_find(cut_surface *c)
 {
     const mesh *m = c->mesh;
     const size_t cells = mesh_cells(m);
+    bring_around(c);
     c->n_cells = c->n_pieces = 0;
     for (size_t k = 0; k < cells; ++k) c->at[k] = CUT_NEW;
     if (m->dim == 3) TRY(cut_triangles(c));

@@ -92,7 +92,8 @@ floe_status cut_find_thin(const cut_surface *c, bool *thin, double x[3]);
 /* Finds the cut cells of the boundary after a time (s) at the given velocities of its vertices (m/s, three numbers each).
  * As cut_find; `from` does not change. Ends stay on the sides of the mesh. */
 floe_status cut_ahead(const cut_surface *from, const double *velocity, double time, cut_surface *out);
-/* Finds the cut cells from the vertices. Open polylines, and rims of triangles, must end on sides of the mesh. FLOE_RETRY where boundaries
+/* Finds the cut cells from the vertices, of which those beyond periodic sides are brought back; segments and triangles
+ * go to the nearest images of their vertices. Open polylines, and rims of triangles, must end on sides of the mesh. FLOE_RETRY where boundaries
  * cross so that a gas would lie on both their sides, solids overlap by more than they may, or what is open of the two sides of a periodic axis differs. */
 floe_status cut_find(cut_surface *c);
 
@@ -105,8 +106,12 @@ static inline size_t cut_index(const mesh *m, const int cell[3])
  * cells in front of them. */
 static inline double cut_at_middle(const cut_surface *c, const cut_piece *q, int axis)
 {
-    double sum = q->weight[0] * c->vertex[q->vertex[0]].x[axis];
-    for (int k = 1; k < c->mesh->dim; ++k) sum += q->weight[k] * c->vertex[q->vertex[k]].x[axis];
+    const double first = c->vertex[q->vertex[0]].x[axis];
+    double sum = q->weight[0] * first;
+    for (int k = 1; k < c->mesh->dim; ++k) {
+        const double x = c->vertex[q->vertex[k]].x[axis];
+        sum += q->weight[k] * (x + mesh_to_image(c->mesh, axis, x, first));
+    }
     return sum + mesh_to_image(c->mesh, axis, sum, mesh_centre(c->mesh, axis, c->cell[q->cell].cell[axis]));
 }
 /* Open fraction of a cell, moment of its open part, and aperture of one of its faces; of the gas outside it is one less that. */

@@ -69,9 +69,11 @@ static void cell_of(const mesh *m, const double x[2], int cell[3])
     }
 }
 
-/* Share of the segment from a to b at which it crosses the side of a cell towards b. */
+/* Share of the segment from a to b at which it crosses the side of a cell towards b. Both may lie on it where it is a
+ * periodic side: of the two cells beside it either holds one. */
 static double share_to(const mesh *m, const double a[2], const double b[2], int axis, int node)
 {
+    if (b[axis] == a[axis]) return 0.0;
     const double t = (mesh_node(m, axis, node) - a[axis]) / (b[axis] - a[axis]);
     return t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
 }
@@ -82,41 +84,81 @@ static double within(const mesh *m, int axis, int cell, double x)
     return fmin(fmax(x, mesh_node(m, axis, cell)), mesh_node(m, axis, cell + 1));
 }
 
+/* What is left of a segment: from `a` to `b`, as seen from the cell that is reached (images of its vertices, where it
+ * goes around periodic sides), and the cells along each axis to that of `b`. */
+typedef struct segment {
+    double a[2], b[2];
+    int cell[3], steps[2];
+} segment;
+
+static segment segment_between(const cut_surface *c, const int vertex[2])
+{
+    const mesh *m = c->mesh;
+    const double *a = c->vertex[vertex[0]].x, *b = c->vertex[vertex[1]].x;
+    segment s;
+    int last[3];
+    cell_of(m, a, s.cell);
+    cell_of(m, b, last);
+    for (int k = 0; k < 2; ++k) {
+        const double image = mesh_to_image(m, k, b[k], a[k]);
+        s.a[k] = a[k];
+        s.b[k] = b[k] + image;
+        s.steps[k] = last[k] - s.cell[k] + (image > 0.0 ? m->n[k] : image < 0.0 ? -m->n[k] : 0);
+    }
+    return s;
+}
+
+/* Share of the segment at which it leaves the cell, and the axis across the face through which it does. */
+static double next_passage(const mesh *m, const segment *s, int *axis)
+{
+    double t = INFINITY;
+    for (int k = 0; k < 2; ++k) {
+        if (s->steps[k] == 0) continue;
+        const double to = share_to(m, s->a, s->b, k, s->steps[k] > 0 ? s->cell[k] + 1 : s->cell[k]);
+        if (!(to < t)) continue;
+        t = to;
+        *axis = k;
+    }
+    return t;
+}
+
+/* On to the next cell, through its face at x. */
+static void step_on(const mesh *m, segment *s, int axis, double x[2])
+{
+    const int step = s->steps[axis] > 0 ? 1 : -1, before = s->cell[axis];
+    (void)mesh_step(m, s->cell, axis, step);
+    s->steps[axis] -= step;
+    if (s->cell[axis] == before + step) return;
+    const double length = m->upper[axis] - m->lower[axis];
+    s->a[axis] -= step * length;
+    s->b[axis] -= step * length;
+    x[axis] = mesh_node(m, axis, step > 0 ? 0 : m->n[axis]);
+}
+
 /* From one vertex to the next, cell by cell. */
 static floe_status trace_segment(cut_surface *c, const int vertex[2])
 {
     const mesh *m = c->mesh;
-    const double *a = c->vertex[vertex[0]].x, *b = c->vertex[vertex[1]].x;
-    int cell[3], last[3];
-    double from[2] = {a[0], a[1]}, before = 0.0;
-    cell_of(m, a, cell);
-    cell_of(m, b, last);
-    while (cell[0] != last[0] || cell[1] != last[1]) {
-        double t = INFINITY;
-        int axis = 0;
-        for (int k = 0; k < 2; ++k) {
-            if (cell[k] == last[k]) continue;
-            const double to = share_to(m, a, b, k, last[k] > cell[k] ? cell[k] + 1 : cell[k]);
-            if (!(to < t)) continue;
-            t = to;
-            axis = k;
-        }
-        const int step = last[axis] > cell[axis] ? 1 : -1, other = 1 - axis;
+    segment s = segment_between(c, vertex);
+    double from[2] = {s.a[0], s.a[1]}, before = 0.0;
+    while (s.steps[0] != 0 || s.steps[1] != 0) {
+        int axis = 0, at;
+        const double t = next_passage(m, &s, &axis);
+        const int step = s.steps[axis] > 0 ? 1 : -1, other = 1 - axis;
         double x[2];
-        x[axis] = mesh_node(m, axis, step > 0 ? cell[axis] + 1 : cell[axis]);
-        x[other] = within(m, other, cell[other], a[other] + t * (b[other] - a[other]));
-        TRY(add_piece(c, cell, vertex, from, x, 0.5 * (before + t)));
-        int at;
-        TRY(cut_touch(c, cell, &at));
+        x[axis] = mesh_node(m, axis, step > 0 ? s.cell[axis] + 1 : s.cell[axis]);
+        x[other] = within(m, other, s.cell[other], s.a[other] + t * (s.b[other] - s.a[other]));
+        TRY(add_piece(c, s.cell, vertex, from, x, 0.5 * (before + t)));
+        TRY(cut_touch(c, s.cell, &at));
         pass(c, at, axis, step > 0 ? SIDE_UPPER : SIDE_LOWER, x, step);
-        cell[axis] += step;
-        TRY(cut_touch(c, cell, &at));
+        step_on(m, &s, axis, x);
+        TRY(cut_touch(c, s.cell, &at));
         pass(c, at, axis, step > 0 ? SIDE_LOWER : SIDE_UPPER, x, step);
         from[0] = x[0];
         from[1] = x[1];
         before = t;
     }
-    return add_piece(c, cell, vertex, from, b, 0.5 * (before + 1.0));
+    return add_piece(c, s.cell, vertex, from, c->vertex[vertex[1]].x, 0.5 * (before + 1.0));
 }
 
 /* An end of an open line passes through the side of the mesh on which it lies; inward at the first vertex. */

@@ -9,7 +9,9 @@
  *     aperture   = node of its lowest corner + sum over sides in the face of their part by Green's theorem
  *     volume     = upper aperture along axis 0 + sum over pieces of place times area along axis 0
  *
- * Everything here is in cells: lengths over the cell's along each axis, from its lower corner. */
+ * Everything here is in cells: lengths over the cell's along each axis, from its lower corner. A triangle that goes around
+ * a periodic axis is whole here, in the nearest images of its vertices, and its cells are brought back where they are
+ * written to. */
 #include "embedded/cut_internal.h"
 
 #include "base/memory.h"
@@ -41,7 +43,8 @@ typedef struct polygon {
 typedef struct cutter {
     cut_surface *c;
     const cut_triangle *triangle;
-    int cell[3];
+    int cell[3];    /* may lie beyond sides of axes that the triangle goes around */
+    bool around[3]; /* axes that it may go around: periodic ones, unless the surface ends at it on their sides */
 } cutter;
 
 static unsigned face_bit(int axis, int side)
@@ -50,16 +53,21 @@ static unsigned face_bit(int axis, int side)
 }
 
 /* Faces of the mesh on which a place lies. */
-static unsigned sides_of_mesh(const mesh *m, const double u[3])
+static unsigned sides_of_mesh(const cutter *t, const double u[3])
 {
+    const mesh *m = t->c->mesh;
     unsigned faces = 0;
     for (int a = 0; a < 3; ++a)
-        faces |= (u[a] == 0.0 ? face_bit(a, SIDE_LOWER) : 0) | (u[a] == m->n[a] ? face_bit(a, SIDE_UPPER) : 0);
+        faces |= t->around[a]
+                     ? 0
+                     : (u[a] == 0.0 ? face_bit(a, SIDE_LOWER) : 0) | (u[a] == m->n[a] ? face_bit(a, SIDE_UPPER) : 0);
     return faces;
 }
 
-static int cell_along(const mesh *m, int axis, double u)
+static int cell_along(const cutter *t, int axis, double u)
 {
+    const mesh *m = t->c->mesh;
+    if (t->around[axis]) return (int)floor(u);
     return !(u > 0.0) ? 0 : u >= m->n[axis] ? m->n[axis] - 1 : (int)u;
 }
 
@@ -87,13 +95,13 @@ static bool add_corner(polygon *p, const corner *c)
 }
 
 /* What lies below a plane, and what lies above; false where corners are too many. */
-static bool split_polygon(const mesh *m, const polygon *p, int axis, int plane, polygon *low, polygon *high)
+static bool split_polygon(const cutter *t, const polygon *p, int axis, int plane, polygon *low, polygon *high)
 {
     bool fits = true;
     low->n = high->n = 0;
     for (int k = 0; k < p->n; ++k) {
         const corner *a = &p->at[k], *b = &p->at[(k + 1) % p->n];
-        const bool above = cell_along(m, axis, a->u[axis]) >= plane, then = cell_along(m, axis, b->u[axis]) >= plane;
+        const bool above = cell_along(t, axis, a->u[axis]) >= plane, then = cell_along(t, axis, b->u[axis]) >= plane;
         fits = fits && add_corner(above ? high : low, a);
         if (above == then) continue;
         corner at = passage(a, b, axis, plane), on = at;
@@ -106,13 +114,22 @@ static bool split_polygon(const mesh *m, const polygon *p, int axis, int plane, 
     return fits;
 }
 
-/* Part of a side in a face, by Green's theorem, and its ends on the edges of the face. */
-static void pass_face(cut_cell *k, const corner *p, const corner *q, int face)
+/* The cut cell of a cell of the triangle, brought back around periodic axes. */
+static floe_status touch_around(cutter *t, const int cell[3], int *at)
+{
+    const int *n = t->c->mesh->n;
+    int inside[3];
+    for (int a = 0; a < 3; ++a) inside[a] = t->around[a] ? (cell[a] % n[a] + n[a]) % n[a] : cell[a];
+    return cut_touch(t->c, inside, at);
+}
+
+/* Part of a side in a face of a cell of the triangle, by Green's theorem, and its ends on the edges of the face. */
+static void pass_face(cut_cell *k, const int cell[3], const corner *p, const corner *q, int face)
 {
     const int axis = face / 2, side = face % 2, e = (axis + 1) % 3, f = (axis + 2) % 3;
     const double sign = side == SIDE_UPPER ? 1.0 : -1.0;
-    const double yp = k->cell[e] + 1 - p->u[e], yq = k->cell[e] + 1 - q->u[e];
-    const double zp = k->cell[f] + 1 - p->u[f], zq = k->cell[f] + 1 - q->u[f];
+    const double yp = cell[e] + 1 - p->u[e], yq = cell[e] + 1 - q->u[e];
+    const double zp = cell[f] + 1 - p->u[f], zq = cell[f] + 1 - q->u[f];
     double part = 0.5 * (yp + yq) * (zp - zq);
     for (int end = SIDE_LOWER; end <= SIDE_UPPER; ++end) {
         const bool at_p = p->faces & face_bit(e, end), at_q = q->faces & face_bit(e, end);
@@ -128,7 +145,7 @@ static void pass_face(cut_cell *k, const corner *p, const corner *q, int face)
 static int axis_behind(const cutter *t, const polygon *p, const double area[3])
 {
     for (int a = 0; a < 3; ++a) {
-        bool in_face = t->cell[a] > 0 && area[a] > 0.0;
+        bool in_face = (t->cell[a] > 0 || t->around[a]) && area[a] > 0.0;
         for (int k = 0; k < p->n && in_face; ++k) in_face = p->at[k].u[a] == t->cell[a];
         if (in_face) return a;
     }
@@ -177,21 +194,22 @@ static floe_status put_piece(cutter *t, const polygon *p)
     if (!(size > least_area)) return FLOE_OK;
     const int behind = axis_behind(t, p, s.area);
     if (behind >= 0) {
-        TRY(cut_touch(t->c, cell, &at));
+        TRY(touch_around(t, cell, &at));
         t->c->cell[at].face[behind][SIDE_LOWER] -= s.area[behind];
         cell[behind]--;
         s = sum_polygon(p, cell);
-        TRY(cut_touch(t->c, cell, &at));
+        TRY(touch_around(t, cell, &at));
         t->c->cell[at].face[behind][SIDE_UPPER] -= s.area[behind];
     }
     cut_piece q = {.vertex = {t->triangle->vertex[0], t->triangle->vertex[1], t->triangle->vertex[2]}};
-    const double volume = mesh_cell_volume(m, cell[0]);
+    TRY(touch_around(t, cell, &at));
+    const double volume = mesh_cell_volume(m, t->c->cell[at].cell[0]);
     for (int d = 0; d < 3; ++d) {
         q.weight[d] = s.weight[d];
         q.area[d] = s.area[d] * volume / m->h[d];
     }
     const cut_part part = {s.first, {s.square[0], s.square[1], s.square[2]}};
-    return cut_add_piece(t->c, cell, &q, &part);
+    return cut_add_piece(t->c, t->c->cell[at].cell, &q, &part);
 }
 
 /* The face of the cell in which a side of the triangle ends on a side of the mesh. */
@@ -214,13 +232,13 @@ static floe_status refuse_rim(const cutter *t, const corner *p)
 static floe_status put_polygon(cutter *t, const polygon *p)
 {
     int at;
-    TRY(cut_touch(t->c, t->cell, &at));
+    TRY(touch_around(t, t->cell, &at));
     for (int k = 0; k < p->n; ++k) {
         const corner *a = &p->at[k], *b = &p->at[(k + 1) % p->n];
         int face = a->side;
         if (a->edge >= 0) face = face_of_rim(a, b);
         if (a->edge >= 0 && face == IN_NO_FACE) return refuse_rim(t, a);
-        if (face != IN_NO_FACE) pass_face(&t->c->cell[at], a, b, face);
+        if (face != IN_NO_FACE) pass_face(&t->c->cell[at], t->cell, a, b, face);
     }
     return put_piece(t, p);
 }
@@ -234,20 +252,19 @@ static floe_status too_crooked(const cutter *t)
 /* Splits at the planes of an axis, and what lies between them along the next. */
 static floe_status split_along(cutter *t, const polygon *p, int axis)
 {
-    const mesh *m = t->c->mesh;
     polygon part[2], low;
     const polygon *rest = p;
     if (axis == 3) return put_polygon(t, p);
-    int first = cell_along(m, axis, p->at[0].u[axis]), last = first;
+    int first = cell_along(t, axis, p->at[0].u[axis]), last = first;
     for (int k = 1; k < p->n; ++k) {
-        const int i = cell_along(m, axis, p->at[k].u[axis]);
+        const int i = cell_along(t, axis, p->at[k].u[axis]);
         first = i < first ? i : first;
         last = i > last ? i : last;
     }
     for (int i = first; i < last; ++i) {
         polygon *high = &part[(i - first) % 2];
         t->cell[axis] = i;
-        if (!split_polygon(m, rest, axis, i + 1, &low, high)) return too_crooked(t);
+        if (!split_polygon(t, rest, axis, i + 1, &low, high)) return too_crooked(t);
         if (low.n > 0) TRY(split_along(t, &low, axis + 1));
         rest = high;
     }
@@ -261,25 +278,68 @@ static double in_cells(const mesh *m, int axis, double x)
     return fabs(u - whole) < on_plane ? whole : u;
 }
 
-floe_status cut_triangles(cut_surface *c)
+/* A triangle's vertices in cells, in the images nearest to the first. */
+static floe_status begin_triangle(cutter *t, polygon *p)
 {
+    const cut_surface *c = t->c;
     const mesh *m = c->mesh;
-    for (int n = 0; n < c->n_triangles; ++n) {
-        const cut_triangle *triangle = &c->triangle[n];
-        cutter t = {.c = c, .triangle = triangle};
-        polygon p = {.n = 3};
-        for (int k = 0; k < 3; ++k) {
-            corner *at = &p.at[k];
-            *at = (corner){.w = {k == 1, k == 2}, .side = IN_NO_FACE, .edge = -1};
-            if (triangle->rim >> k & 1) at->edge = k;
-            for (int a = 0; a < 3; ++a) at->u[a] = in_cells(m, a, c->vertex[triangle->vertex[k]].x[a]);
-            if (!isfinite(at->u[0] + at->u[1] + at->u[2]))
-                return fail(c->ctx, FLOE_RETRY, "a vertex of a boundary of gas has no place");
-            at->faces = sides_of_mesh(m, at->u);
+    p->n = 3;
+    for (int k = 0; k < 3; ++k) {
+        corner *at = &p->at[k];
+        *at = (corner){.w = {k == 1, k == 2}, .side = IN_NO_FACE, .edge = -1};
+        if (t->triangle->rim >> k & 1) at->edge = k;
+        for (int a = 0; a < 3; ++a) {
+            at->u[a] = in_cells(m, a, c->vertex[t->triangle->vertex[k]].x[a]);
+            if (!t->around[a]) continue;
+            const double way = at->u[a] - p->at[0].u[a], half = 0.5 * m->n[a];
+            at->u[a] += way > half ? -m->n[a] : way < -half ? m->n[a] : 0;
         }
+        if (!isfinite(at->u[0] + at->u[1] + at->u[2]))
+            return fail(c->ctx, FLOE_RETRY, "a vertex of a boundary of gas has no place");
+        at->faces = sides_of_mesh(t, at->u);
+    }
+    return FLOE_OK;
+}
+
+/* Bit a: the surface ends at this vertex, on a side across axis a. */
+static void mark_ends(const cut_surface *c, unsigned char *ends)
+{
+    for (int n = 0; n < c->n_triangles; ++n)
+        for (int k = 0; k < 3; ++k) {
+            const int v = c->triangle[n].vertex[k], w = c->triangle[n].vertex[(k + 1) % 3];
+            for (int a = 0; a < 3 && (c->triangle[n].rim >> k & 1); ++a) {
+                const double x = c->vertex[v].x[a];
+                if (x != c->vertex[w].x[a] || (x != c->mesh->lower[a] && x != c->mesh->upper[a])) continue;
+                ends[v] |= (unsigned char)(1u << a);
+                ends[w] |= (unsigned char)(1u << a);
+            }
+        }
+}
+
+static floe_status cut_each(cut_surface *c, const unsigned char *ends)
+{
+    for (int n = 0; n < c->n_triangles; ++n) {
+        const int *v = c->triangle[n].vertex;
+        const unsigned at_ends = ends ? ends[v[0]] | ends[v[1]] | ends[v[2]] : 0;
+        cutter t = {.c = c, .triangle = &c->triangle[n]};
+        polygon p;
+        for (int a = 0; a < 3; ++a) t.around[a] = c->mesh->periodic[a] && !(at_ends >> a & 1);
+        TRY(begin_triangle(&t, &p));
         TRY(split_along(&t, &p, 0));
     }
     return FLOE_OK;
+}
+
+floe_status cut_triangles(cut_surface *c)
+{
+    const mesh *m = c->mesh;
+    unsigned char *ends = NULL;
+    if (!(m->periodic[0] || m->periodic[1] || m->periodic[2])) return cut_each(c, NULL);
+    TRY(memory_new(c->ctx, &ends, (size_t)c->n_vertices + 1, sizeof *ends));
+    mark_ends(c, ends);
+    const floe_status status = cut_each(c, ends);
+    memory_free(c->ctx, &ends);
+    return status;
 }
 
 /* ---- shares of cells, once nodes are numbered ---- */

@@ -65,8 +65,10 @@ static cut_piece along_segment(const cut_surface *c, const cut_piece *q)
 {
     const double *from = c->vertex[q->vertex[0]].x, *to = c->vertex[q->vertex[1]].x;
     cut_piece whole = *q;
-    whole.area[0] = to[1] - from[1];
-    whole.area[1] = from[0] - to[0];
+    double along[2];
+    for (int a = 0; a < 2; ++a) along[a] = to[a] + mesh_to_image(c->mesh, a, to[a], from[a]) - from[a];
+    whole.area[0] = along[1];
+    whole.area[1] = -along[0];
     return whole;
 }
 

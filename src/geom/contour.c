@@ -1,6 +1,7 @@
 /* Marching squares on a grid finer than the mesh's, with the crossings found by bisection instead of interpolation. */
 #include "geom/contour.h"
 
+#include "geom/contour_internal.h"
 #include "geom/layer.h"
 
 #include "base/memory.h"
@@ -321,9 +322,10 @@ floe_status contour_trace(contour *out, context *ctx, const shape *s, const seed
 {
     tracer t = {.ctx = ctx, .shape = s, .grid = grid, .divide = divide, .tolerance = 1e-9 * grid->h[0]};
     *out = (contour){0};
-    const floe_status status = grid->dim == 1 ? trace_line(&t, out) : trace_chains(&t, out);
+    floe_status status = grid->dim == 1 ? trace_line(&t, out) : trace_chains(&t, out);
     memory_free(ctx, &t.piece);
     for (size_t k = 0; k < out->n; ++k) layer_snap(grid, out->x[k]);
+    if (status == FLOE_OK && grid->dim == 2) status = contour_join_around(ctx, out, grid);
     if (status != FLOE_OK) contour_free(ctx, out);
     return status;
 }

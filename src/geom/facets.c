@@ -13,7 +13,7 @@
 #include <string.h>
 
 enum {
-    MARGIN = 2, /* boxes about the mesh */
+    MARGIN = 2, /* boxes about the mesh; around a periodic axis one more, so that all about both its sides is alike */
     FINEST = 4  /* of the divisions that are asked for: walls of a cell have boxes that none of their sides share */
 };
 
@@ -34,7 +34,7 @@ static double lattice_level_at(const lattice *l, const double x[3])
 
 static double lattice_corner(const lattice *l, int axis, int i)
 {
-    return l->grid->lower[axis] + (i - MARGIN + askew[axis]) * l->size[axis];
+    return l->grid->lower[axis] + (i - l->margin[axis] + askew[axis]) * l->size[axis];
 }
 
 static size_t corner_number(const lattice *l, const int c[3])
@@ -322,7 +322,8 @@ static floe_status make_with(facet_surface *out, context *ctx, const shape *s, c
     *out = (facet_surface){.n = 0};
     for (int a = 0; a < 3; ++a) {
         l.size[a] = grid->h[a] / divide;
-        l.n[a] = grid->n[a] * divide + 2 * MARGIN;
+        l.margin[a] = MARGIN + grid->periodic[a];
+        l.n[a] = grid->n[a] * divide + 2 * l.margin[a];
     }
     const floe_status status = contour_lattice(&l);
     *crowded = l.crowded;

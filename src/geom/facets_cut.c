@@ -5,6 +5,7 @@
 #include "base/memory.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Sides of facets by their lower vertex: what lies between them and the higher one. */
@@ -164,9 +165,78 @@ static floe_status drop_vertices(lattice *l)
     return FLOE_OK;
 }
 
+/* ---- around periodic axes ---- */
+
+/* A vertex on the sides across an axis. */
+typedef struct side_vertex {
+    double x[2]; /* m: along the two other axes */
+    int vertex;
+    bool upper;
+} side_vertex;
+
+/* Of a cell: vertices this near are one. */
+static const double one_place = 1e-6;
+
+static int by_first_axis(const void *a, const void *b)
+{
+    const side_vertex *p = a, *q = b;
+    return p->x[0] < q->x[0] ? -1 : p->x[0] > q->x[0];
+}
+
+static int list_side_vertices(const lattice *l, int axis, side_vertex *list)
+{
+    const facet_surface *o = l->out;
+    const double lower = l->grid->lower[axis], upper = lower + l->grid->n[axis] * l->grid->h[axis];
+    int n = 0;
+    for (int v = 0; v < o->n; ++v)
+        if (o->x[v][axis] == lower || o->x[v][axis] == upper)
+            list[n++] = (side_vertex){{o->x[v][(axis + 1) % 3], o->x[v][(axis + 2) % 3]}, v, o->x[v][axis] == upper};
+    qsort(list, (size_t)n, sizeof *list, by_first_axis);
+    return n;
+}
+
+/* The vertex on the lower side of which that on the upper one is the image; -1: none. */
+static int image_below(const lattice *l, int axis, const side_vertex *list, int n, int of)
+{
+    const double *h = l->grid->h, near[2] = {one_place * h[(axis + 1) % 3], one_place * h[(axis + 2) % 3]};
+    int first = of;
+    while (first > 0 && list[of].x[0] - list[first - 1].x[0] < near[0]) --first;
+    for (int k = first; k < n && list[k].x[0] - list[of].x[0] < near[0]; ++k)
+        if (!list[k].upper && fabs(list[k].x[1] - list[of].x[1]) < near[1]) return list[k].vertex;
+    return -1;
+}
+
+/* Vertices on the upper side become those on the lower one, if each has one there. */
+static floe_status join_around(lattice *l, int axis)
+{
+    facet_surface *o = l->out;
+    side_vertex *list = NULL;
+    int *number = NULL, lower = 0, joined = 0;
+    if (!l->grid->periodic[axis]) return FLOE_OK;
+    floe_status status = memory_new(l->ctx, &list, (size_t)o->n + 1, sizeof *list);
+    if (status == FLOE_OK) status = memory_new(l->ctx, &number, (size_t)o->n + 1, sizeof *number);
+    if (status == FLOE_OK) {
+        const int n = list_side_vertices(l, axis, list);
+        for (int v = 0; v < o->n; ++v) number[v] = v;
+        for (int k = 0; k < n; ++k) {
+            const int below = list[k].upper ? image_below(l, axis, list, n, k) : -1;
+            lower += !list[k].upper;
+            joined += below >= 0;
+            if (below >= 0) number[list[k].vertex] = below;
+        }
+        for (int k = 0; k < 3 * o->n_facets && joined == lower && n == 2 * lower; ++k)
+            o->facet[k / 3].vertex[k % 3] = number[o->facet[k / 3].vertex[k % 3]];
+    }
+    memory_free(l->ctx, &list);
+    memory_free(l->ctx, &number);
+    return status;
+}
+
 floe_status facets_cut_at_sides(lattice *l)
 {
     for (int side = 0; side < 6; ++side) TRY(cut_at_side(l, side / 2, side % 2));
+    TRY(drop_vertices(l));
+    for (int axis = 0; axis < 3; ++axis) TRY(join_around(l, axis));
     TRY(drop_vertices(l));
     return find_rims(l);
 }

@@ -9,6 +9,7 @@ typedef struct lattice {
     const shape *shape;
     const seed_spec *grid;
     double size[3];      /* m: of a box */
+    int margin[3];       /* boxes beyond each side of the mesh */
     int n[3];            /* boxes along each axis */
     signed char *inside; /* of each corner; owned */
     int *vertex;         /* of each box, -1: none; owned */

@@ -17,6 +17,7 @@ typedef struct seed_spec {
     bool axisymmetric;     /* volumes per radian: r dr dz */
     double lower[3], h[3]; /* mesh corner and cell, m */
     int n[3];              /* cells of the whole mesh, 1 along unused axes */
+    bool periodic[3];      /* axes around which surfaces go on */
     int per_cell[3];       /* points along each axis of a cell, 1 to 8 */
     double offset[3];      /* of the sub-cells against the mesh, in sub-cells, -0.5 to 0.5; lattices only */
     seed_method method;

@@ -132,6 +132,13 @@ static inline double mesh_to_image(const mesh *m, int axis, double x, double nea
     if (axis >= m->dim || !m->periodic[axis]) return 0.0;
     return way > 0.5 * length ? length : way < -0.5 * length ? -length : 0.0;
 }
+/* The image inside the mesh of a place along an axis (m) that has gone beyond a periodic side; others stay as they are. */
+static inline double mesh_brought_around(const mesh *m, int axis, double x)
+{
+    const double length = m->upper[axis] - m->lower[axis];
+    if (axis >= m->dim || !m->periodic[axis]) return x;
+    return x < m->lower[axis] ? x + length : x > m->upper[axis] ? x - length : x;
+}
 
 /* Cells of the whole mesh, and its tiles. */
 size_t mesh_cells(const mesh *m);

@@ -169,8 +169,10 @@ static void steady_markers(mpm *s, double dt)
     const double *start = s->saved->extra[SAVED_MARKERS].value;
     const size_t stride = sizeof(surface_marker) / sizeof(double);
     for (size_t n = 0; n < k->n; ++n)
-        for (size_t a = 0; a < (size_t)s->mesh->dim; ++a)
-            k->next[n].v[a] = (k->next[n].x[a] - start[n * stride + a]) / dt;
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            const double x = start[n * stride + (size_t)a];
+            k->next[n].v[a] = (k->next[n].x[a] - x - mesh_to_image(s->mesh, a, x, k->next[n].x[a])) / dt;
+        }
 }
 
 floe_status mpm_step_in_substeps(mpm *s)

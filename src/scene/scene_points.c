@@ -65,6 +65,7 @@ seed_spec body_seed_spec(const scene *s, const mesh *m, const scene_body *b)
         spec.lower[a] = m->lower[a];
         spec.h[a] = m->h[a];
         spec.n[a] = m->n[a];
+        spec.periodic[a] = m->periodic[a];
         spec.per_cell[a] = b->per_cell[a];
         spec.offset[a] = s->lattice_offset[a];
     }

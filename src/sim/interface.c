@@ -59,13 +59,6 @@ static floe_status needs_surfaces(const scene *s, const mesh *m)
     return no_lines(s, "needs a domain in two or three dimensions without periodic sides", "mpm");
 }
 
-/* Surfaces end on periodic sides, and do not pass through them (that both ends fit is seen where they are traced). */
-static floe_status needs_one_fluid_around(const scene *s, const mesh *m)
-{
-    if (!is_periodic(m) || count_fluids(s) == 1) return FLOE_OK;
-    return no_lines(s, "between periodic sides takes one fluid", "mpm");
-}
-
 static floe_status needs_explicit_pressure(const scene *s, const mesh *m)
 {
     (void)m;
@@ -389,26 +382,6 @@ static floe_status needs_no_burning(const scene *s, const mesh *m)
 
 /* ---- what surfaces support, though smeared is the better choice for the scene ---- */
 
-/* A body that moves along a periodic axis comes to a side sooner or later: but for one that reaches around, and stands. */
-static bool stays_between(const scene *s, const scene_body *b, int axis)
-{
-    if (b->motion.kind == MOTION_FIXED) return true;
-    return b->motion.kind != MOTION_DRIVEN && b->velocity[axis] == 0.0 && body_reaches_side(s, b, axis, SIDE_LOWER) &&
-           body_reaches_side(s, b, axis, SIDE_UPPER);
-}
-
-static floe_status suits_bodies_that_stay(const scene *s, const mesh *m)
-{
-    for (int b = 0; b < s->n_bodies; ++b)
-        for (int a = 0; a < m->dim && is_solid(s, b); ++a)
-            if (m->periodic[a] && !stays_between(s, &s->body[b], a))
-                return fail_key(s->ctx, KEY("bodies", s->body[b].name),
-                                "a sharp run ends where body '%s' comes to a periodic side; method.interface: sharp "
-                                "takes it up to there",
-                                s->body[b].name);
-    return FLOE_OK;
-}
-
 static floe_status suits_no_sources(const scene *s, const mesh *m)
 {
     (void)m;
@@ -441,7 +414,6 @@ typedef struct requirement {
 /* Cheap ones first: the last traces the surfaces. */
 static const requirement requirements[] = {
     {needs_surfaces, OF_MEMBRANES},
-    {needs_one_fluid_around, OF_SURFACES | OF_AUTO},
     {needs_no_membrane, OF_SURFACES | OF_AUTO},
     {needs_few_fluids, OF_SURFACES | OF_AUTO},
     {needs_membranes_alone, OF_MEMBRANES},
@@ -456,7 +428,6 @@ static const requirement requirements[] = {
     {needs_no_relaxation, OF_SURFACES | OF_AUTO},
     {suits_no_sources, OF_AUTO},
     {suits_no_flight_out, OF_AUTO},
-    {suits_bodies_that_stay, OF_AUTO},
     {needs_clear_surfaces, OF_SURFACES | OF_AUTO},
 };
 
@@ -477,7 +448,7 @@ static floe_status find_sharing(scene *s, const mesh *m)
 {
     bool used[SCENE_MAX_MATERIALS] = {false};
     s->fluids_share = false;
-    if (count_fluids(s) < 2 || is_periodic(m)) return FLOE_OK;
+    if (count_fluids(s) < 2) return FLOE_OK;
     s->fluids_share = s->n_reactions > 0 || mass_source_joins(s); /* a product comes to be where its reactant is */
     if (s->fluids_share) return FLOE_OK;
     ice_find_used(s, false, used);

@@ -444,12 +444,71 @@ static void test_overlap(void **unused)
     end_plane(ctx, &c);
 }
 
+/* Largest difference of the open shares of cells and faces, and of the places of the cells' openings, from those of a line that was moved by whole cells. */
+static double largest_difference(const cut_surface *c, const cut_surface *moved, const int by[2])
+{
+    double most = 0.0;
+    for (int k = 0; k < c->mesh->n[0] * c->mesh->n[1]; ++k) {
+        const int at[3] = {k % c->mesh->n[0], k / c->mesh->n[0], 0};
+        const int to[3] = {(at[0] + by[0]) % c->mesh->n[0], (at[1] + by[1]) % c->mesh->n[1], 0};
+        most = fmax(most, fabs(cut_open(c, at) - cut_open(moved, to)));
+        for (int a = 0; a < 2; ++a) {
+            most = fmax(most, fabs(cut_moment(c, at, a) - cut_moment(moved, to, a)));
+            for (int side = 0; side < 2; ++side)
+                most = fmax(most, fabs(cut_face(c, at, a, side) - cut_face(moved, to, a, side)));
+        }
+    }
+    return most;
+}
+
+/* The same line moved by every number of cells around one or both axes, its vertices brought around or not; one that ends on one periodic side, and does
+ * not go on at the other. */
+static void test_around(void **unused)
+{
+    (void)unused;
+    const mesh_spec spec = {.dim = 2, .upper = {1.0, 1.0}, .cell = {0.1, 0.125}, .periodic = {true, true}};
+    mesh m;
+    cut_surface c, moved;
+    context *ctx = context_create();
+    check_ok(ctx, mesh_init(&m, ctx, &spec));
+    check_ok(ctx, cut_create(&c, ctx, &m));
+    check_ok(ctx, cut_create(&moved, ctx, &m));
+    arc(&c, ctx, 47, 0.31, 0.0, -2.0 * pi, (const double[]){0.451, 0.552});
+    check_ok(ctx, cut_find(&c));
+    check_closed(&c);
+    for (int k = 0; k < 80; ++k) {
+        const int by[2] = {k % 10, k / 10};
+        arc(&moved, ctx, 47, 0.31, 0.0, -2.0 * pi, (const double[]){0.451 + 0.1 * by[0], 0.552 + 0.125 * by[1]});
+        check_ok(ctx, cut_find(&moved));
+        check_closed(&moved);
+        assert_int_equal(moved.n_cells, c.n_cells);
+        check_close(largest_difference(&c, &moved, by), 0.0, 1e-13);
+        double sum[2] = {0.0, 0.0};
+        for (int n = 0; n < c.n_pieces; ++n) {
+            sum[0] += c.piece[n].area[1] * cut_at_middle(&c, &c.piece[n], 1);
+            sum[1] += moved.piece[n].area[1] *
+                      (cut_at_middle(&moved, &moved.piece[n], 1) -
+                       mesh_centre(&m, 1, moved.cell[moved.piece[n].cell].cell[1]) +
+                       mesh_centre(&m, 1, (moved.cell[moved.piece[n].cell].cell[1] + 8 - by[1]) % 8));
+        }
+        check_close(sum[1], sum[0], 1e-13);
+    }
+    check_ok(ctx, cut_reserve(&c, 2, 1));
+    c.chain[0] = (cut_chain){0, 2, false, 0};
+    c.vertex[0] = (cut_vertex){{0.0, 0.31}, 0, 0};
+    c.vertex[1] = (cut_vertex){{1.0, 0.34}, 1, 0};
+    check_fails(ctx, cut_find(&c), FLOE_RETRY);
+    cut_destroy(&c);
+    cut_destroy(&moved);
+    context_destroy(&ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_quarter),    cmocka_unit_test(test_closed),       cmocka_unit_test(test_on_the_mesh),
         cmocka_unit_test(test_two_chains), cmocka_unit_test(test_thin),         cmocka_unit_test(test_enclosed_twice),
         cmocka_unit_test(test_refused),    cmocka_unit_test(test_off_the_mesh), cmocka_unit_test(test_storage),
-        cmocka_unit_test(test_edge),       cmocka_unit_test(test_overlap)};
+        cmocka_unit_test(test_edge),       cmocka_unit_test(test_overlap),      cmocka_unit_test(test_around)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

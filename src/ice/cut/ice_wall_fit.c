@@ -45,6 +45,11 @@ bool fit_find_cell(const mesh *m, const int from[3], const int step[3], int cell
     return true;
 }
 
+void fit_bring_near(const mesh *m, const fit_cell *f, double x[3])
+{
+    for (int a = 0; a < m->dim; ++a) x[a] += mesh_to_image(m, a, x[a], f->centre[a]);
+}
+
 double fit_length(const double a[3])
 {
     return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);

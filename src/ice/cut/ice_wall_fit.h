@@ -61,6 +61,8 @@ bool fit_next_step(int dim, int reach, int *n, int step[3]);
 /* Another cell by steps along the axes, around periodic sides; false beyond the others. shift: m, of its place from where it
  * seems to be. */
 bool fit_find_cell(const mesh *m, const int from[3], const int step[3], int cell[3], double shift[3]);
+/* The image of a place (m) that is nearest to the fit: its host may lie beyond a periodic side. */
+void fit_bring_near(const mesh *m, const fit_cell *f, double x[3]);
 /* The terms at a place, and their slopes (1/m) along the axes. */
 void fit_terms(const mesh *m, const fit_cell *f, const double x[3], double t[FIT_TERMS]);
 void fit_slopes(const mesh *m, const fit_cell *f, const double x[3], double slope[3][FIT_TERMS]);

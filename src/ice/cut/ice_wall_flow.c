@@ -130,6 +130,7 @@ static floe_status add_samples(ice *s, const ice_region *g, ice_wall_flow *w)
             int fit = w->fit_of[cut_index(s->mesh, q->place.cell)];
             if (fit < 0 || !(q->size > 0.0)) continue;
             fit = w->cell[fit].host;
+            fit_bring_near(s->mesh, &w->cell[fit], q->place.x);
             q->next = w->first[fit];
             w->first[fit] = w->n_samples++;
         }
@@ -331,8 +332,10 @@ static void gradient_at(const ice *s, const fit_cell *f, const fluid_fit *of, co
     }
 }
 
-void ice_wall_drag(const ice *s, const ice_region *g, int r, const wall_place *w, double drag[3])
+void ice_wall_drag(const ice *s, const ice_region *g, int r, const wall_place *at, double drag[3])
 {
+    wall_place near = *at;
+    const wall_place *w = &near;
     const ice_wall_flow *flow = s->cut_cells->wall[g->number];
     const ice_material *m = &s->material[g->first + r];
     const int dim = s->mesh->dim, fit = fit_at(s, flow, w);
@@ -340,6 +343,7 @@ void ice_wall_drag(const ice *s, const ice_region *g, int r, const wall_place *w
     double G[3][3], div = 0.0;
     for (int a = 0; a < dim; ++a) drag[a] = 0.0;
     if (fit < 0 || !(fit_length(w->area) > 0.0)) return;
+    fit_bring_near(s->mesh, &flow->cell[fit], near.x);
     gradient_at(s, &flow->cell[fit], &flow->fluid[fit * g->n + r], w, G);
     for (int a = 0; a < dim; ++a) div += G[a][a];
     if (s->mesh->geometry == MESH_AXISYMMETRIC) div += w->x[0] > 0.0 ? w->v[0] / w->x[0] : G[0][0];

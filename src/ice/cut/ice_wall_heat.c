@@ -88,14 +88,17 @@ void fit_centre_temperatures(const ice *s, const ice_region *g)
     }
 }
 
-double ice_wall_heat(const ice *s, const ice_region *g, int r, const wall_place *w)
+double ice_wall_heat(const ice *s, const ice_region *g, int r, const wall_place *at)
 {
+    wall_place near = *at;
+    const wall_place *w = &near;
     const ice_wall_flow *flow = s->cut_cells->wall[g->number];
     const int fit = fit_at(s, flow, w);
     const double size = fit_length(w->area), k = s->material[g->first + r].conductivity;
     if (fit < 0 || !(k > 0.0) || !(size > 0.0) || isnan(w->T)) return 0.0;
     const fit_cell *f = &flow->cell[fit];
     const heat_fit *of = &flow->heat[fit * g->n + r];
+    fit_bring_near(s->mesh, f, near.x);
     double t[FIT_TERMS], slope[3][FIT_TERMS], through = 0.0;
     fit_terms(s->mesh, f, w->x, t);
     fit_slopes(s->mesh, f, w->x, slope);

@@ -170,7 +170,7 @@ static bool bring_back(mpm *s, int blk, int body, size_t k)
         const int side = *x < m->lower[a] ? SIDE_LOWER : *x > m->upper[a] ? SIDE_UPPER : -1;
         if (side < 0) continue;
         if (m->periodic[a])
-            *x += (side == SIDE_LOWER ? 1.0 : -1.0) * (m->upper[a] - m->lower[a]);
+            *x = mesh_brought_around(m, a, *x);
         else if (body < s->n_deforming && !is_open(s->scene->bc.side[a][side].kind))
             *x = side == SIDE_LOWER ? m->lower[a] : m->upper[a];
         else

@@ -59,7 +59,7 @@ static floe_status check_drawn_out(const mpm *s)
         for (int e = 0; e < 3; ++e) {
             const double *x = k->next[k->triangle[n].vertex[e]].x, *y = k->next[k->triangle[n].vertex[(e + 1) % 3]].x;
             for (int a = 0; a < 3; ++a)
-                if (!(fabs(x[a] - y[a]) < cells * s->mesh->h[a]))
+                if (!(fabs(x[a] - y[a] - mesh_to_image(s->mesh, a, y[a], x[a])) < cells * s->mesh->h[a]))
                     return fail(s->ctx, FLOE_DIVERGED,
                                 "the surface of a solid is drawn out by three cells at (%g, %g, %g), as where bodies "
                                 "part that touched at the start: leave a cell between them, or use method.interface: "

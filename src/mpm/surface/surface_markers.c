@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "geom/facets.h"
+#include "geom/images.h"
 #include "math/tensor.h"
 #include "mpm/surface/boundary.h"
 #include "mpm/surface/standing.h"
@@ -131,6 +132,12 @@ static floe_status add_contour(mpm *s, const mpm_body *b, const contour *o)
     return FLOE_OK;
 }
 
+/* What is traced of a shape that reaches a periodic side, or comes near to it, is that of its images too. */
+static shape go_around(const mesh *m, const shape *s, images *around)
+{
+    return images_make(around, s, m->dim, m->lower, m->upper, m->periodic, 2.0 * m->h[0]);
+}
+
 /* ---- in space ---- */
 
 /* None for bodies whose surface another has, to which they are welded. `closed`: also along sides that the body can leave. */
@@ -142,7 +149,9 @@ static floe_status make_facets(const scene *s, const mesh *m, const scene_body *
     floe_status status = welded_find(s, m, body, &w);
     if (status == FLOE_OK && w.shape.model) {
         inset part;
-        const shape surface = closed ? standing_shape(s, m, body, &w.shape, &part) : w.shape;
+        images around;
+        const shape own = closed ? standing_shape(s, m, body, &w.shape, &part) : w.shape;
+        const shape surface = go_around(m, &own, &around);
         status = facets_make(out, s->ctx, &surface, &grid, FACET_DIVISIONS);
     }
     welded_free(s->ctx, &w);
@@ -264,7 +273,9 @@ static floe_status trace_contour(const scene *s, const mesh *m, const scene_body
 {
     const seed_spec grid = body_seed_spec(s, m, body);
     inset part;
-    const shape surface = closed ? standing_shape(s, m, body, &body->shape, &part) : body->shape;
+    images around;
+    const shape own = closed ? standing_shape(s, m, body, &body->shape, &part) : body->shape;
+    const shape surface = go_around(m, &own, &around);
     return contour_trace(out, s->ctx, &surface, &grid, CONTOUR_DIVISIONS);
 }
 
@@ -380,6 +391,8 @@ void commit_markers(mpm *s)
     surface_marker *swap = k->now;
     k->now = k->next;
     k->next = swap;
+    for (size_t n = 0; n < k->n; ++n)
+        for (int a = 0; a < s->mesh->dim; ++a) k->now[n].x[a] = mesh_brought_around(s->mesh, a, k->now[n].x[a]);
 }
 
 void free_markers(context *ctx, surface_markers *k)
