@@ -105,6 +105,8 @@
     X(N_REACH_FIRST, "node_reach_first", NODE, SCALAR, "m", SCRATCH,                                                 \
       "the same along the normal of the first body there")                                                           \
     X(N_REACH_SECOND, "node_reach_second", NODE, SCALAR, "m", SCRATCH, "the same along that of the second")          \
+    X(N_ASIDE, "node_aside", NODE, SCALAR, "m", SCRATCH,                                                             \
+      "how far the nearest of a body's points lies aside of its normal, beyond its own size; negative")              \
     X(N_TOUCH, "node_touch", NODE, SCALAR, "1", SCRATCH,                                                             \
       "bits of the groups that it moves with (from 0 on) and slides on (from 16 on)")                                \
     X(N_WETTED_AREA, "node_wetted_area", NODE, VECTOR, "m2", SCRATCH,                                                \

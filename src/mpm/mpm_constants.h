@@ -84,6 +84,8 @@
  * at 0.34 (0.24 along the line in which they press). */
 #define MPM_CONTACT_STEP 0.2
 #define MPM_CONTACT_STEP_IN_SPACE 0.28
+/* Cells outside a body with a motion of its own up to which nodes of another are in contact with it: on whole cells those of its surface alone. */
+#define MPM_HELD_NODE 0.5
 /* Gaps of less than this share of a cell are closed: round-off. */
 #define MPM_CLOSED_GAP 1e-6
 /* The same for bodies that stick: the gap of their points opens as they are pulled. A bar drawn at 1.4e-3 of its speed of sound by what it stuck to was let go. */

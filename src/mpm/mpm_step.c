@@ -135,7 +135,8 @@ floe_status mpm_mass_stages(mpm *s)
     STAGE(s, walls_let_go(s), mpm_side_reach, READS(P_POS, P_VOLUME0, P_J, DOMAINS), WRITES(N_SIDE_REACH, N_SIDE_BODY));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
-          WRITES(N_REACH, N_NORMAL, WHEN(s->mesh->dim > 1, N_REACH_FIRST), WHEN(s->mesh->dim > 1, N_REACH_SECOND)));
+          WRITES(N_REACH, N_NORMAL, WHEN(s->mesh->dim > 1, N_REACH_FIRST), WHEN(s->mesh->dim > 1, N_REACH_SECOND),
+                 WHEN(s->mesh->dim > 1, N_ASIDE)));
     return FLOE_OK;
 }
 
@@ -292,7 +293,8 @@ static floe_status implicit_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_implicit_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
-          WRITES(N_REACH, N_NORMAL, WHEN(s->mesh->dim > 1, N_REACH_FIRST), WHEN(s->mesh->dim > 1, N_REACH_SECOND)));
+          WRITES(N_REACH, N_NORMAL, WHEN(s->mesh->dim > 1, N_REACH_FIRST), WHEN(s->mesh->dim > 1, N_REACH_SECOND),
+                 WHEN(s->mesh->dim > 1, N_ASIDE)));
     STAGE(s, ALWAYS, mpm_implicit_loads, READS(N_MASS), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_implicit_solve,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(meets_at_points(s), N_REACH), P_MASS,

@@ -121,6 +121,14 @@ static bool sticks_outside(const contact_node *node, int a, int b)
     return true;
 }
 
+/* Whether a body with a motion of its own is not felt at a node more than half a cell outside it. It has infinite inertia where it has hardly any mass, and
+ * would hold the other body along its surface up to one and a half cells above it, which brakes what rolls there. Without friction nothing is held along it. */
+static bool is_beyond_hold(const scene_contact *rule, const contact_node *node, int k)
+{
+    const bool holds_along = rule->kind != CONTACT_FRICTION || rule->friction > 0.0;
+    return holds_along && node->body[k].given && node->body[k].reach < -MPM_HELD_NODE * node->h;
+}
+
 /* The surfaces of those of the contact are each at its farthest point along the normal. */
 int contact_find_meetings(const scene_contact *rule, const contact_node *node, contact_meeting *list)
 {
@@ -130,7 +138,10 @@ int contact_find_meetings(const scene_contact *rule, const contact_node *node, c
             if (node->body[a].given && node->body[b].given) continue;
             contact_meeting m = {.a = a, .b = b, .named = node->body[a].named && node->body[b].named};
             if (!m.named && !sticks_outside(node, a, b)) continue;
-            if (m.named && rule->touch == CONTACT_AT_POINTS) m.gap = -(node->body[a].reach + node->body[b].reach);
+            if (m.named && rule->touch == CONTACT_AT_POINTS) {
+                if (is_beyond_hold(rule, node, a) || is_beyond_hold(rule, node, b)) continue;
+                m.gap = -(node->body[a].reach + node->body[b].reach);
+            }
             pair_normal(node, a, b, m.n);
             list[n++] = m;
         }

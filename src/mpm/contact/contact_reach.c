@@ -84,7 +84,19 @@ static double half_width(const mpm *s, const point_arrays *p, size_t k)
     return 0.5 * (s->mesh->dim == 1 ? volume : s->mesh->dim == 2 ? sqrt(volume) : cbrt(volume));
 }
 
-static void scatter_reach_of_point(const mpm *s, const point_span *r, double half,
+/* m: half the width of a point's cube, and the radius of the ball about it. A point of a membrane stands for all of it between its neighbours, and for what
+ * bulges between nodes: nothing lies aside of it. */
+typedef struct point_size {
+    double half, ball;
+} point_size;
+
+static point_size point_size_of(const mpm *s, int body, const point_arrays *p, size_t k)
+{
+    const double half = half_width(s, p, k);
+    return (point_size){half, s->body[body].membrane.model ? (double)INFINITY : half * sqrt((double)s->mesh->dim)};
+}
+
+static void scatter_reach_of_point(const mpm *s, const point_span *r, point_size size,
                                    const double (*direction)[DIRECTIONS][MESH_MAX_DIM], double *out)
 {
     const int *window = s->windows->window, count = directions_of(s);
@@ -97,19 +109,47 @@ static void scatter_reach_of_point(const mpm *s, const point_span *r, double hal
                 for (int c = 0; c < count; ++c) {
                     const double *d = direction[node][c];
                     const double along = from[0] * d[0] + from[1] * d[1] + from[2] * d[2];
-                    out[count * node + c] = fmax(out[count * node + c], along + half);
+                    out[count * node + c] = fmax(out[count * node + c], along + size.half);
                 }
             }
 }
 
-static void scatter_reach_in_contact(mpm *s, int group, int blk, int tile)
+/* What the points of a node say, on its line along the normal: how far they reach, and how little they lie aside of it (negative). Points aside reach less far by
+ * as much as they are off the line, beyond the ball about their cube: of a round body the lowest point is no surface at a node a cell ahead, which would stop
+ * it early and brake its spin. */
+enum { ON_LINE, ASIDE, LINE_NUMBERS };
+static const field_id line_field[LINE_NUMBERS] = {N_REACH, N_ASIDE};
+
+static void scatter_line_of_point(const mpm *s, const point_span *r, point_size size,
+                                  const double (*direction)[DIRECTIONS][MESH_MAX_DIM], double *out)
+{
+    const int *window = s->windows->window;
+    const double *h = s->mesh->h;
+    for (int z = 0; z < r->n[2]; ++z)
+        for (int y = 0; y < r->n[1]; ++y)
+            for (int x = 0; x < r->n[0]; ++x) {
+                const int node = r->first[0] + x + window[0] * (r->first[1] + y + window[1] * (r->first[2] + z));
+                const double from[3] = {r->from[0] - x * h[0], r->from[1] - y * h[1], r->from[2] - z * h[2]};
+                const double along = vec_dot(from, direction[node][ALONG_PAIR]);
+                const double across = sqrt(fmax(0.0, vec_dot(from, from) - along * along));
+                const double aside = fmax(0.0, across - size.ball);
+                double *at = out + LINE_NUMBERS * node;
+                at[ON_LINE] = fmax(at[ON_LINE], along + size.half - aside);
+                at[ASIDE] = fmax(at[ASIDE], -aside);
+            }
+}
+
+typedef void point_scatter(const mpm *s, const point_span *r, point_size size,
+                           const double (*direction)[DIRECTIONS][MESH_MAX_DIM], double *out);
+
+static void scatter_in_contact(mpm *s, int group, int blk, int tile, point_scatter *scatter, int count)
 {
     double direction[MPM_MAX_WINDOW][DIRECTIONS][MESH_MAX_DIM] = {{{0.0}}};
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     bool *any = &s->windows->active[box.number];
     *any = s->contact->near[box.number] != 0 && find_directions(s, blk, group, &box, direction);
     if (!*any) return;
-    double *out = start_reach(s, &box, directions_of(s));
+    double *out = start_reach(s, &box, count);
     for (int body = 0; body < s->n_bodies; ++body) {
         const size_t *start = s->points[blk][body].tile_start;
         if (s->body[body].group != group) continue;
@@ -117,10 +157,19 @@ static void scatter_reach_in_contact(mpm *s, int group, int blk, int tile)
         for (size_t k = start[tile]; k < start[tile + 1]; ++k) {
             if (!contact_is_near(s, &box, &p, k)) continue;
             const point_span r = span_of_point(s, &box, &p, k);
-            scatter_reach_of_point(s, &r, half_width(s, &p, k), (const double(*)[DIRECTIONS][MESH_MAX_DIM])direction,
-                                   out);
+            scatter(s, &r, point_size_of(s, body, &p, k), (const double(*)[DIRECTIONS][MESH_MAX_DIM])direction, out);
         }
     }
+}
+
+static void scatter_reach(mpm *s, int group, int blk, int tile)
+{
+    scatter_in_contact(s, group, blk, tile, scatter_reach_of_point, directions_of(s));
+}
+
+static void scatter_line(mpm *s, int group, int blk, int tile)
+{
+    scatter_in_contact(s, group, blk, tile, scatter_line_of_point, LINE_NUMBERS);
 }
 
 /* Bodies are apart, or touch, along the direction in which their points have the largest gap (a separating axis): beside the corner of a block that slides on a
@@ -147,13 +196,29 @@ static void choose_direction(const mpm *s, int blk, ptrdiff_t at)
     }
 }
 
+/* The reach along the normal that was chosen; nodes beside the end of a body see that end. */
+static void find_reach_on_lines(mpm *s)
+{
+    reach_to_nodes(s, scatter_line, line_field, LINE_NUMBERS);
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int g = 0; g < s->n_groups; ++g) {
+            double *reach = field_get(s->domain->fields[b], N_REACH, g, 0);
+            const double *aside = field_get(s->domain->fields[b], N_ASIDE, g, 0);
+#pragma omp parallel for schedule(static)
+            for (size_t k = 0; k < s->mesh->block[b].size; ++k)
+                if (isfinite(aside[k])) reach[k] -= aside[k];
+        }
+}
+
 floe_status mpm_contact_reach(mpm *s)
 {
     const int count = directions_of(s);
-    reach_to_nodes(s, scatter_reach_in_contact, reach_field, count);
-    for (int b = 0; b < s->mesh->n_blocks && count > 1; ++b) {
+    reach_to_nodes(s, scatter_reach, reach_field, count);
+    if (count == 1) return FLOE_OK;
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
 #pragma omp parallel for schedule(static)
         for (size_t k = 0; k < s->mesh->block[b].size; ++k) choose_direction(s, b, (ptrdiff_t)k);
     }
+    find_reach_on_lines(s);
     return FLOE_OK;
 }
