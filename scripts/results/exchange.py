@@ -26,9 +26,9 @@ def limits(page):
 
 
 def taken(run):
-    """Momentum of the wall along 30 degrees over that of the gas at the start; the wall's two halves have half its mass each."""
-    along = sum(share * (last(run, f"velocity_wall_{axis}") + last(run, f"velocity_wall_below_{axis}")) for axis, share in (("x", 0.75 ** 0.5), ("y", 0.5)))
-    return 0.5 * along * last(run, "mass_steel") / (50 * last(run, "mass_air"))
+    """Momentum of the wall along 30 degrees over that of the gas at the start."""
+    along = sum(share * last(run, f"velocity_wall_{axis}") for axis, share in (("x", 0.75 ** 0.5), ("y", 0.5)))
+    return along * last(run, "mass_steel") / (50 * last(run, "mass_air"))
 
 
 def slips(page):

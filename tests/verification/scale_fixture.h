@@ -5,6 +5,7 @@
 #include "mpm_fixture.h"
 
 #include "deck/deck_internal.h"
+#include "geom/images.h"
 
 #include <ctype.h>
 
@@ -69,6 +70,17 @@ FIXTURE void scale_params(const scaling *by, const param_spec *params, size_t n,
     }
 }
 
+/* Where the images of a shape are. */
+FIXTURE void scale_images(const scaling *by, const shape *s)
+{
+    if (images_whole(s) == s) return;
+    images *all = s->par;
+    for (size_t k = 0; k < all->all.n; ++k) scale_numbers(all->image[k].shift, 3, by->length);
+    scale_numbers(all->lower, 3, by->length);
+    scale_numbers(all->upper, 3, by->length);
+    scale_numbers(&all->all.extent, 1, by->length);
+}
+
 FIXTURE void scale_model(const scaling *by, const key_spec *key, void *field)
 {
     const char *name;
@@ -86,6 +98,7 @@ FIXTURE void scale_model(const scaling *by, const key_spec *key, void *field)
     }
     for (size_t i = 0; key->family->get(NULL, i, &entry); ++i)
         if (strcmp(entry.name, name) == 0) scale_params(by, entry.params, entry.n_params, (void *)(uintptr_t)par);
+    if (key->family == &family_shape) scale_images(by, field);
 }
 
 FIXTURE void scale_table(const scene *s, const scaling *by, const key_table *table, void *base);

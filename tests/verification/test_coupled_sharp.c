@@ -190,7 +190,6 @@ static void test_refused(void **unused)
 {
     (void)unused;
     static const char *const sets[][2] = {
-        {"boundaries.y=periodic", "domain.upper=[1.5, 0.04]"},
         {"method={interface: sharp, pressure: auto}", "title=auto"},
         {"bodies.plate.shape={box: {lower: [-1, -1], upper: [2, 1]}}", "title=no surface"},
         {"bodies.plate.shape={box: {lower: [0.603, 0], upper: [0.608, 0.02]}}", "title=thin"},

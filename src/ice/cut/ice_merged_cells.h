@@ -180,6 +180,8 @@ void ice_agree_interfaces(const ice *s, const ice_region *g);
 void ice_agree_exchanged(const ice *s, const ice_region *g);
 /* Volume fractions at the faces of merged cells that let none give more of a fluid than it has. */
 void ice_bound_merged(const ice *s, const ice_region *g);
+/* Again, once faces have what moving pieces draw through them (ice_merged_sweep). */
+void ice_bound_swept(const ice *s, const ice_region *g);
 /* Lagrangian velocities and energies of the fluids of merged cells, from their sums (ice_merged_step.c). */
 void ice_advance_fluids(const ice *s, ice_merged_cells *p);
 /* The first states, those at the start of a step, and those after advection, of merged cells. */

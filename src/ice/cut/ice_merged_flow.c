@@ -13,7 +13,15 @@
 typedef struct outlet {
     const ice_member *m;
     int axis, side;
+    double open; /* share of the face by which velocities there are still to be multiplied */
 } outlet;
+
+/* swept: velocities have been multiplied, and have what moving pieces draw through the face. */
+static outlet outlet_of(const ice_member *m, int face, bool swept)
+{
+    const double open = m->face[face / 2][face % 2];
+    return (outlet){m, face / 2, face % 2, swept && open > 0.0 ? 1.0 : open};
+}
 
 static bool is_inner(const ice *s, const ice_merged_cells *p, const outlet *f)
 {
@@ -29,7 +37,7 @@ static double volume_out(const ice *s, const outlet *f, int r)
     const ice_view *v = ice_member_view(s, f->m);
     const double speed =
         (f->side == SIDE_UPPER ? 1.0 : -1.0) * v->m[r].fu[f->axis][ice_member_face(v, f->m, f->axis, f->side)];
-    return most(speed, 0.0) * s->dt * f->m->face[f->axis][f->side] * ice_member_area(s, f->m, f->axis, f->side);
+    return most(speed, 0.0) * s->dt * f->open * ice_member_area(s, f->m, f->axis, f->side);
 }
 
 static double fraction_at(const ice *s, const outlet *f, int r)
@@ -74,7 +82,7 @@ static void flatten_member(const ice *s, const ice_member *m)
     ptrdiff_t at;
     for (int id = 0; ice_next_seen(s, m->cell, &id, &at);) s->cut_cells->view[id - 1].limiter[at] = 0.0;
     for (int n = 0; n < 2 * s->mesh->dim; ++n) {
-        const outlet f = {m, n / 2, n % 2};
+        const outlet f = outlet_of(m, n, false);
         const ice_view *v = ice_member_view(s, m);
         for (int r = 0; r < v->n_materials; ++r)
             if ((f.side == SIDE_UPPER ? 1.0 : -1.0) * v->m[r].fu[f.axis][ice_member_face(v, m, f.axis, f.side)] > 0.0)
@@ -83,15 +91,15 @@ static void flatten_member(const ice *s, const ice_member *m)
 }
 
 /* What merged cells have of a fluid (m3), in FLUID_VOLUME, and what would leave them, in FLUID_MASS. */
-static void add_outflow(const ice *s, const ice_merged_cells *p, const ice_member *m)
+static void add_outflow(const ice *s, const ice_merged_cells *p, const ice_member *m, bool swept)
 {
     const ice_view *v = ice_member_view(s, m);
     for (int r = 0; r < v->n_materials; ++r) {
         double *sum = p->fluid + (size_t)(m->merged * v->n_materials + r) * FLUID_SUMS;
         sum[FLUID_VOLUME] += v->m[r].theta[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
         for (int n = 0; n < 2 * v->dim; ++n) {
-            const outlet f = {m, n / 2, n % 2};
-            if (m->face[f.axis][f.side] > 0.0 && !is_inner(s, p, &f))
+            const outlet f = outlet_of(m, n, swept);
+            if (f.open > 0.0 && !is_inner(s, p, &f))
                 sum[FLUID_MASS] += volume_out(s, &f, r) * fraction_at(s, &f, r);
         }
     }
@@ -119,25 +127,35 @@ static void bound_face(const ice *s, const ice_merged_cells *p, const outlet *f)
         if (gives[r]) set_fraction(s, f, r, fraction[r] + (total > 0.0 ? missing * left[r] / total : 0.0));
 }
 
-static void bound_member(const ice *s, const ice_merged_cells *p, const ice_member *m)
+static void bound_member(const ice *s, const ice_merged_cells *p, const ice_member *m, bool swept)
 {
     for (int n = 0; n < 2 * s->mesh->dim; ++n) {
-        const outlet f = {m, n / 2, n % 2};
-        if (m->face[f.axis][f.side] > 0.0 && !is_inner(s, p, &f)) bound_face(s, p, &f);
+        const outlet f = outlet_of(m, n, swept);
+        if (f.open > 0.0 && !is_inner(s, p, &f)) bound_face(s, p, &f);
     }
+}
+
+static void bound_members(const ice *s, ice_merged_cells *p, bool swept)
+{
+    ice_clear_merged(p);
+    for (int k = 0; k < p->n; ++k)
+        if (is_mixed(s, &p->member[k])) add_outflow(s, p, &p->member[k], swept);
+    for (int k = 0; k < p->n; ++k)
+        if (is_mixed(s, &p->member[k]) && is_sharp(s, &p->member[k])) bound_member(s, p, &p->member[k], swept);
 }
 
 void ice_bound_merged(const ice *s, const ice_region *g)
 {
     ice_merged_cells *p = &s->cut_cells->now[g->number];
     ice_cut_views(s, g);
-    ice_clear_merged(p);
     for (int k = 0; k < p->n; ++k)
         if (is_mixed(s, &p->member[k]) && !is_sharp(s, &p->member[k])) flatten_member(s, &p->member[k]);
-    for (int k = 0; k < p->n; ++k)
-        if (is_mixed(s, &p->member[k])) add_outflow(s, p, &p->member[k]);
-    for (int k = 0; k < p->n; ++k)
-        if (is_mixed(s, &p->member[k]) && is_sharp(s, &p->member[k])) bound_member(s, p, &p->member[k]);
+    bound_members(s, p, false);
+}
+
+void ice_bound_swept(const ice *s, const ice_region *g)
+{
+    bound_members(s, &s->cut_cells->now[g->number], true);
 }
 
 /* ---- velocities and energies ---- */

@@ -77,11 +77,14 @@ static void add_to_face(const ice *s, const ice_member *m, int axis, int side, d
 
 void ice_merged_sweep(const ice *s, const ice_region *g)
 {
+    bool swept = false;
     for (ice_piece_walk w = ice_first_piece(s, ice_merged_cells_of(s, g)); ice_next_piece(&w);) {
         const int face = w.piece->through - 1;
         if (face < 0) continue;
         add_to_face(s, w.member, face / 2, face % 2, w.weight * ice_along_area(&w, w.line->path) / s->dt);
+        swept = true;
     }
+    if (swept && g->n > 1) ice_bound_swept(s, g);
 }
 
 /* What the increment of ice_merged_step.c makes of more flux. */
