@@ -53,7 +53,8 @@ static bool passes_side(const scene *s, const shape *of, int axis)
     double lo[3], hi[3];
     if (!s->mesh.periodic[axis] || !shape_bounds(of, s->mesh.dim, lo, hi)) return false;
     const double beyond = round_off * s->mesh.cell[axis];
-    const bool below = lo[axis]<s->mesh.lower[axis] - beyond, above = hi[axis]> s->mesh.upper[axis] + beyond;
+    const bool below = s->mesh.lower[axis] - lo[axis] > beyond;
+    const bool above = hi[axis] - s->mesh.upper[axis] > beyond;
     return (below || above) && !(below && above && shape_fills_bounds(of, s->mesh.dim));
 }
 

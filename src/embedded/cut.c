@@ -330,16 +330,11 @@ floe_status cut_find(cut_surface *c)
     return check_around(c);
 }
 
-/* Whether an end lies on a side of the mesh normal to the axis; it then stays on it. */
-static bool is_on_side(const mesh *m, double x, int axis)
-{
-    return x == m->lower[axis] || x == m->upper[axis];
-}
-
 static void hold_end(const cut_surface *from, int vertex, cut_surface *out)
 {
     for (int a = 0; a < from->mesh->dim; ++a)
-        if (is_on_side(from->mesh, from->vertex[vertex].x[a], a)) out->vertex[vertex].x[a] = from->vertex[vertex].x[a];
+        if (cut_is_on_side(from->mesh, from->vertex[vertex].x[a], a))
+            out->vertex[vertex].x[a] = from->vertex[vertex].x[a];
 }
 
 /* The same of the ends of a triangle's sides that no other joins. */

@@ -10,6 +10,11 @@ enum { CUT_NEW = -3 };
 double cut_weight_to(const mesh *m, double x);
 /* The cut cell of a global cell; added where it is new. */
 floe_status cut_touch(cut_surface *c, const int cell[3], int *out);
+/* Whether an end lies on a side of the mesh normal to the axis; it then stays on it. */
+static inline bool cut_is_on_side(const mesh *m, double x, int axis)
+{
+    return x == m->lower[axis] || x == m->upper[axis];
+}
 /* Contribution of a piece to the open volume of its cell and its moments, measured from the cell's lower side along
  * axis 0. */
 typedef struct cut_part {

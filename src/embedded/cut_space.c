@@ -117,9 +117,8 @@ static bool split_polygon(const cutter *t, const polygon *p, int axis, int plane
 /* The cut cell of a cell of the triangle, brought back around periodic axes. */
 static floe_status touch_around(cutter *t, const int cell[3], int *at)
 {
-    const int *n = t->c->mesh->n;
     int inside[3];
-    for (int a = 0; a < 3; ++a) inside[a] = t->around[a] ? (cell[a] % n[a] + n[a]) % n[a] : cell[a];
+    for (int a = 0; a < 3; ++a) inside[a] = mesh_index_around(t->c->mesh, a, cell[a]);
     return cut_touch(t->c, inside, at);
 }
 
@@ -309,7 +308,7 @@ static void mark_ends(const cut_surface *c, unsigned char *ends)
             const int v = c->triangle[n].vertex[k], w = c->triangle[n].vertex[(k + 1) % 3];
             for (int a = 0; a < 3 && (c->triangle[n].rim >> k & 1); ++a) {
                 const double x = c->vertex[v].x[a];
-                if (x != c->vertex[w].x[a] || (x != c->mesh->lower[a] && x != c->mesh->upper[a])) continue;
+                if (x != c->vertex[w].x[a] || !cut_is_on_side(c->mesh, x, a)) continue;
                 ends[v] |= (unsigned char)(1u << a);
                 ends[w] |= (unsigned char)(1u << a);
             }

@@ -1,5 +1,7 @@
 #include "geom/boolean.h"
 
+#include "geom/bounds.h"
+
 #include <math.h>
 #include <stdio.h>
 
@@ -105,6 +107,19 @@ bool boolean_bounds(const boolean_operands *o, int dim, double lo[3], double hi[
         bounded = true;
     }
     return bounded;
+}
+
+bool boolean_bounds_of_all(const boolean_operands *o, int dim, double lo[3], double hi[3])
+{
+    for (size_t k = 0; k < o->n; k++) {
+        double from[3], to[3];
+        if (!shape_bounds(&o->part[k], dim, from, to)) return false;
+        for (int a = 0; a < dim; a++) {
+            lo[a] = k > 0 ? fmin(lo[a], from[a]) : from[a];
+            hi[a] = k > 0 ? fmax(hi[a], to[a]) : to[a];
+        }
+    }
+    return true;
 }
 
 double boolean_extent(const boolean_operands *o, int dim)

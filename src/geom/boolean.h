@@ -19,6 +19,8 @@ double boolean_level(const boolean_operands *o, int dim, const double x[3]);
 /* What the bounds of the operands have in common; false where all are unbounded. Of operands that lie outside only the
  * first counts. */
 bool boolean_bounds(const boolean_operands *o, int dim, double lo[3], double hi[3]);
+/* Bounds about all parts together; false where one is unbounded. */
+bool boolean_bounds_of_all(const boolean_operands *o, int dim, double lo[3], double hi[3]);
 /* The extent of operands (m). */
 double boolean_extent(const boolean_operands *o, int dim);
 /* "" unless no two bounds have anything in common. */

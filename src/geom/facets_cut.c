@@ -226,6 +226,7 @@ static floe_status join_around(lattice *l, int axis)
         }
         for (int k = 0; k < 3 * o->n_facets && joined == lower && n == 2 * lower; ++k)
             o->facet[k / 3].vertex[k % 3] = number[o->facet[k / 3].vertex[k % 3]];
+        status = drop_vertices(l);
     }
     memory_free(l->ctx, &list);
     memory_free(l->ctx, &number);
@@ -237,6 +238,5 @@ floe_status facets_cut_at_sides(lattice *l)
     for (int side = 0; side < 6; ++side) TRY(cut_at_side(l, side / 2, side % 2));
     TRY(drop_vertices(l));
     for (int axis = 0; axis < 3; ++axis) TRY(join_around(l, axis));
-    TRY(drop_vertices(l));
     return find_rims(l);
 }

@@ -1,5 +1,7 @@
 #include "geom/images.h"
 
+#include "geom/bounds.h"
+
 #include <math.h>
 
 /* ---- one image ---- */
@@ -15,7 +17,7 @@ static double image_level(const void *par, int dim, const double x[3])
 static bool image_bounds(const void *par, int dim, double lo[3], double hi[3])
 {
     const shape_image *i = par;
-    if (!i->of->model->bounds(i->of->par, dim, lo, hi)) return false;
+    if (!shape_bounds(i->of, dim, lo, hi)) return false;
     for (int a = 0; a < dim; ++a) {
         lo[a] += i->shift[a];
         hi[a] += i->shift[a];
@@ -58,17 +60,10 @@ static double images_level(const void *par, int dim, const double x[3])
 static bool images_bounds(const void *par, int dim, double lo[3], double hi[3])
 {
     const images *i = par;
+    if (!boolean_bounds_of_all(&i->all, dim, lo, hi)) return false;
     for (int a = 0; a < dim; ++a) {
-        lo[a] = HUGE_VAL;
-        hi[a] = -HUGE_VAL;
-    }
-    for (size_t k = 0; k < i->all.n; ++k) {
-        double from[3], to[3];
-        if (!i->part[k].model->bounds(i->part[k].par, dim, from, to)) return false;
-        for (int a = 0; a < dim; ++a) {
-            lo[a] = fmax(fmin(lo[a], from[a]), i->lower[a]);
-            hi[a] = fmin(fmax(hi[a], to[a]), i->upper[a]);
-        }
+        lo[a] = fmax(lo[a], i->lower[a]);
+        hi[a] = fmin(hi[a], i->upper[a]);
     }
     return true;
 }
@@ -76,7 +71,7 @@ static bool images_bounds(const void *par, int dim, double lo[3], double hi[3])
 static bool bounds_overlap(const shape *s, const shape *t, int dim)
 {
     double lo[2][3], hi[2][3];
-    bool overlap = s->model->bounds(s->par, dim, lo[0], hi[0]) && t->model->bounds(t->par, dim, lo[1], hi[1]);
+    bool overlap = shape_bounds(s, dim, lo[0], hi[0]) && shape_bounds(t, dim, lo[1], hi[1]);
     for (int a = 0; a < dim; ++a) overlap = overlap && lo[0][a] < hi[1][a] && lo[1][a] < hi[0][a];
     return overlap;
 }
@@ -113,7 +108,7 @@ static const shape_model images_model = {
 static bool comes_near(const shape *s, int dim, const double lower[3], const double upper[3], double margin)
 {
     double lo[3], hi[3];
-    bool near = s->model->bounds(s->par, dim, lo, hi);
+    bool near = shape_bounds(s, dim, lo, hi);
     for (int a = 0; a < dim; ++a) near = near && hi[a] > lower[a] - margin && lo[a] < upper[a] + margin;
     return near;
 }
@@ -133,7 +128,7 @@ shape images_make(images *out, const shape *s, int dim, const double lower[3], c
 {
     double lo[3], hi[3];
     int most[3];
-    if (!s->model->bounds(s->par, dim, lo, hi)) return *s;
+    if (!shape_bounds(s, dim, lo, hi)) return *s;
     *out = (images){.whole = *s, .part = {*s}, .all = {.part = out->part, .n = 1, .outside = true}};
     for (int a = 0; a < 3; ++a) {
         most[a] = a < dim && periodic[a] ? 1 : 0;

@@ -28,17 +28,8 @@ static double union_level(const void *par, int dim, const double x[3])
 
 static bool union_bounds(const void *par, int dim, double lo[3], double hi[3])
 {
-    const union_par *u = par;
-    const shape *part = u->shapes.item;
-    for (size_t k = 0; k < u->shapes.n; k++) {
-        double from[3], to[3];
-        if (!part[k].model->bounds(part[k].par, dim, from, to)) return false;
-        for (int a = 0; a < dim; a++) {
-            lo[a] = k > 0 ? fmin(lo[a], from[a]) : from[a];
-            hi[a] = k > 0 ? fmax(hi[a], to[a]) : to[a];
-        }
-    }
-    return true;
+    const boolean_operands o = operands_of(par);
+    return boolean_bounds_of_all(&o, dim, lo, hi);
 }
 
 static const char *union_check(const void *par, int dim)

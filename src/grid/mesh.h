@@ -132,6 +132,12 @@ static inline double mesh_to_image(const mesh *m, int axis, double x, double nea
     if (axis >= m->dim || !m->periodic[axis]) return 0.0;
     return way > 0.5 * length ? length : way < -0.5 * length ? -length : 0.0;
 }
+/* Index of a cell or node along an axis, brought around a periodic one (from one length beyond it at most); others stay as they are. */
+static inline int mesh_index_around(const mesh *m, int axis, int i)
+{
+    if (axis >= m->dim || !m->periodic[axis]) return i;
+    return i < 0 ? i + m->n[axis] : i >= m->n[axis] ? i - m->n[axis] : i;
+}
 /* The image inside the mesh of a place along an axis (m) that has gone beyond a periodic side; others stay as they are. */
 static inline double mesh_brought_around(const mesh *m, int axis, double x)
 {

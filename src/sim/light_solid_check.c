@@ -65,8 +65,7 @@ static void mark_about(const mesh *m, const int centre[MESH_MAX_DIM], unsigned c
         bool inside = true;
         for (int a = 0; a < m->dim; ++a, rest /= 3) {
             step[a] = rest % 3 - 1;
-            cell[a] = centre[a] + step[a];
-            if (m->periodic[a]) cell[a] = (cell[a] + m->n[a]) % m->n[a];
+            cell[a] = mesh_index_around(m, a, centre[a] + step[a]);
             inside = inside && cell[a] >= 0 && cell[a] < m->n[a];
         }
         if (!inside) continue;

@@ -262,7 +262,7 @@ expect 0 "$FLOE" run around.yaml -o around --quiet "${wall[@]}"
 has around/summary.json '"interface": "auto: sharp"'
 expect 0 "$FLOE" run around.yaml -o between --quiet "${wall[@]}" --set boundaries.y=symmetry
 near "$(mean around/history.csv velocity_ball_x 0.1)" "$(mean between/history.csv velocity_ball_x 0.1)" 1e-3
-# Two fluids around: a block that is held in the surface of water, across the side and away from it (shares of cells where surfaces cross are sampled).
+# Two fluids around: a block that is fixed in the surface of water, across the side and away from it (shares of cells where surfaces cross are sampled).
 cat >pool.yaml <<'E'
 floe: 1
 title: A block in the surface of water between periodic sides

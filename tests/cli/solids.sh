@@ -263,7 +263,7 @@ below 0.97 "$(tip)" # measured 1.015; quadratic splines -0.001
 below "$(tip)" 1.03
 
 # What rolls: a disc of five cells' radius down a plane of 0.3 rad from rest, at 2/3 g sin, and a ball of 3.3 cells on a level. Where a point a cell aside of a node was the
-# surface there, and a fixed floor held nodes above it, the disc had 0.61 of its way, and the ball 0.42 of its speed after 0.4 s (theory 4.12).
+# surface there, and a fixed floor constrained nodes above it, the disc had 0.61 of its way, and the ball 0.42 of its speed after 0.4 s (theory 4.12).
 cat >rolling_disc.yaml <<'END'
 floe: 1
 units: none

@@ -424,8 +424,7 @@ static void take_side_face(const ice *s, field_id id, int instance, int axis, co
     const mesh *m = s->mesh;
     int cell[MESH_MAX_DIM];
     for (int a = 0; a < MESH_MAX_DIM; ++a) {
-        cell[a] = b->lo[a] + at[a] - (a == axis);
-        if (m->periodic[a]) cell[a] = (cell[a] + m->n[a]) % m->n[a];
+        cell[a] = mesh_index_around(m, a, b->lo[a] + at[a] - (a == axis));
         if (cell[a] < 0 || cell[a] >= m->n[a]) return;
     }
     const block *owner = &m->block[mesh_block_of(m, cell)];

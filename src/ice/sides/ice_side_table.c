@@ -107,7 +107,7 @@ static floe_status resolve_condition(const ice *s, const bc_side *given, const d
  * repeats, or of the nearest. */
 static double place_along(const mesh *m, int a, int cell)
 {
-    if (m->periodic[a]) return mesh_centre(m, a, (cell + m->n[a]) % m->n[a]);
+    if (m->periodic[a]) return mesh_centre(m, a, mesh_index_around(m, a, cell));
     return mesh_centre(m, a, cell < 0 ? 0 : cell < m->n[a] ? cell : m->n[a] - 1);
 }
 

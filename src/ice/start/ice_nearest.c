@@ -43,8 +43,7 @@ static int neighbour_of(const mesh *m, int number, const int offset[MESH_MAX_DIM
     int cell[MESH_MAX_DIM];
     ice_numbered_cell(m, number, cell);
     for (int a = 0; a < m->dim; ++a) {
-        cell[a] += offset[a];
-        if (m->periodic[a]) cell[a] = (cell[a] + m->n[a]) % m->n[a];
+        cell[a] = mesh_index_around(m, a, cell[a] + offset[a]);
         if (cell[a] < 0 || cell[a] >= m->n[a]) return -1;
     }
     return ice_cell_number(m, cell);

@@ -122,7 +122,7 @@ static bool sticks_outside(const contact_node *node, int a, int b)
 }
 
 /* Whether a body with a motion of its own is not felt at a node more than half a cell outside it. It has infinite inertia where it has hardly any mass, and
- * would hold the other body along its surface up to one and a half cells above it, which brakes what rolls there. Without friction nothing is held along it. */
+ * would hold the other body along its surface up to one and a half cells above it, which brakes what rolls there. Without friction nothing is constrained along it. */
 static bool is_beyond_hold(const scene_contact *rule, const contact_node *node, int k)
 {
     const bool holds_along = rule->kind != CONTACT_FRICTION || rule->friction > 0.0;

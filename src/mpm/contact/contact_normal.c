@@ -48,7 +48,7 @@ static void mark_cells(const mpm *s, const int node[MESH_MAX_DIM])
                 int cell[MESH_MAX_DIM] = {i, j, k}, bit = 0, row = 1;
                 bool inside = true;
                 for (int a = 0; a < m->dim; ++a) {
-                    if (m->periodic[a]) cell[a] = (cell[a] + m->n[a]) % m->n[a];
+                    cell[a] = mesh_index_around(m, a, cell[a]);
                     inside = inside && cell[a] >= 0 && cell[a] < m->n[a];
                     bit += row * (cell[a] % m->tile[a]);
                     row *= mesh_tile_width(m->dim);

@@ -96,22 +96,15 @@ static point_size point_size_of(const mpm *s, int body, const point_arrays *p, s
     return (point_size){half, s->body[body].membrane.model ? (double)INFINITY : half * sqrt((double)s->mesh->dim)};
 }
 
-static void scatter_reach_of_point(const mpm *s, const point_span *r, point_size size,
-                                   const double (*direction)[DIRECTIONS][MESH_MAX_DIM], double *out)
+/* What a point says to a node: `from` is the vector to it (m), and `out` what the node has heard so far. */
+typedef void node_word(const mpm *s, const double from[3], point_size size, const double (*direction)[MESH_MAX_DIM],
+                       double *out);
+
+static void tell_reach(const mpm *s, const double from[3], point_size size, const double (*direction)[MESH_MAX_DIM],
+                       double *out)
 {
-    const int *window = s->windows->window, count = directions_of(s);
-    const double *h = s->mesh->h;
-    for (int z = 0; z < r->n[2]; ++z)
-        for (int y = 0; y < r->n[1]; ++y)
-            for (int x = 0; x < r->n[0]; ++x) {
-                const int node = r->first[0] + x + window[0] * (r->first[1] + y + window[1] * (r->first[2] + z));
-                const double from[3] = {r->from[0] - x * h[0], r->from[1] - y * h[1], r->from[2] - z * h[2]};
-                for (int c = 0; c < count; ++c) {
-                    const double *d = direction[node][c];
-                    const double along = from[0] * d[0] + from[1] * d[1] + from[2] * d[2];
-                    out[count * node + c] = fmax(out[count * node + c], along + size.half);
-                }
-            }
+    const int count = directions_of(s);
+    for (int c = 0; c < count; ++c) out[c] = fmax(out[c], vec_dot(from, direction[c]) + size.half);
 }
 
 /* What the points of a node say, on its line along the normal: how far they reach, and how little they lie aside of it (negative). Points aside reach less far by
@@ -120,8 +113,20 @@ static void scatter_reach_of_point(const mpm *s, const point_span *r, point_size
 enum { ON_LINE, ASIDE, LINE_NUMBERS };
 static const field_id line_field[LINE_NUMBERS] = {N_REACH, N_ASIDE};
 
-static void scatter_line_of_point(const mpm *s, const point_span *r, point_size size,
-                                  const double (*direction)[DIRECTIONS][MESH_MAX_DIM], double *out)
+static void tell_line(const mpm *s, const double from[3], point_size size, const double (*direction)[MESH_MAX_DIM],
+                      double *out)
+{
+    (void)s;
+    const double along = vec_dot(from, direction[ALONG_PAIR]);
+    const double across = sqrt(fmax(0.0, vec_dot(from, from) - along * along));
+    const double aside = fmax(0.0, across - size.ball);
+    out[ON_LINE] = fmax(out[ON_LINE], along + size.half - aside);
+    out[ASIDE] = fmax(out[ASIDE], -aside);
+}
+
+/* `count` numbers a node. */
+static void tell_nodes(const mpm *s, const point_span *r, point_size size,
+                       const double (*direction)[DIRECTIONS][MESH_MAX_DIM], node_word *tell, int count, double *out)
 {
     const int *window = s->windows->window;
     const double *h = s->mesh->h;
@@ -130,19 +135,11 @@ static void scatter_line_of_point(const mpm *s, const point_span *r, point_size 
             for (int x = 0; x < r->n[0]; ++x) {
                 const int node = r->first[0] + x + window[0] * (r->first[1] + y + window[1] * (r->first[2] + z));
                 const double from[3] = {r->from[0] - x * h[0], r->from[1] - y * h[1], r->from[2] - z * h[2]};
-                const double along = vec_dot(from, direction[node][ALONG_PAIR]);
-                const double across = sqrt(fmax(0.0, vec_dot(from, from) - along * along));
-                const double aside = fmax(0.0, across - size.ball);
-                double *at = out + LINE_NUMBERS * node;
-                at[ON_LINE] = fmax(at[ON_LINE], along + size.half - aside);
-                at[ASIDE] = fmax(at[ASIDE], -aside);
+                tell(s, from, size, direction[node], out + count * node);
             }
 }
 
-typedef void point_scatter(const mpm *s, const point_span *r, point_size size,
-                           const double (*direction)[DIRECTIONS][MESH_MAX_DIM], double *out);
-
-static void scatter_in_contact(mpm *s, int group, int blk, int tile, point_scatter *scatter, int count)
+static void scatter_in_contact(mpm *s, int group, int blk, int tile, node_word *tell, int count)
 {
     double direction[MPM_MAX_WINDOW][DIRECTIONS][MESH_MAX_DIM] = {{{0.0}}};
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
@@ -157,19 +154,20 @@ static void scatter_in_contact(mpm *s, int group, int blk, int tile, point_scatt
         for (size_t k = start[tile]; k < start[tile + 1]; ++k) {
             if (!contact_is_near(s, &box, &p, k)) continue;
             const point_span r = span_of_point(s, &box, &p, k);
-            scatter(s, &r, point_size_of(s, body, &p, k), (const double(*)[DIRECTIONS][MESH_MAX_DIM])direction, out);
+            tell_nodes(s, &r, point_size_of(s, body, &p, k), (const double(*)[DIRECTIONS][MESH_MAX_DIM])direction, tell,
+                       count, out);
         }
     }
 }
 
 static void scatter_reach(mpm *s, int group, int blk, int tile)
 {
-    scatter_in_contact(s, group, blk, tile, scatter_reach_of_point, directions_of(s));
+    scatter_in_contact(s, group, blk, tile, tell_reach, directions_of(s));
 }
 
 static void scatter_line(mpm *s, int group, int blk, int tile)
 {
-    scatter_in_contact(s, group, blk, tile, scatter_line_of_point, LINE_NUMBERS);
+    scatter_in_contact(s, group, blk, tile, tell_line, LINE_NUMBERS);
 }
 
 /* Bodies are apart, or touch, along the direction in which their points have the largest gap (a separating axis): beside the corner of a block that slides on a

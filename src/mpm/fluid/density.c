@@ -25,7 +25,7 @@ static void cell_weights(point_density kind, double r, double w[3])
 /* Cell of an index that may lie one beyond the mesh. */
 static int fold_cell(const mesh *m, int axis, int cell)
 {
-    if (m->periodic[axis]) return (cell + m->n[axis]) % m->n[axis];
+    if (m->periodic[axis]) return mesh_index_around(m, axis, cell);
     return cell < 0 ? 0 : cell >= m->n[axis] ? m->n[axis] - 1 : cell;
 }
 

@@ -93,17 +93,12 @@ static floe_status list_wetted_nodes(mpm *s)
     return FLOE_OK;
 }
 
-static int fold_index(const mesh *m, int axis, int i)
-{
-    return m->periodic[axis] ? (i + m->n[axis]) % m->n[axis] : i;
-}
-
 int wetted_find(const mpm *s, const int at[MESH_MAX_DIM])
 {
     const mpm_wetted *w = s->wetted;
     int g[MESH_MAX_DIM] = {0, 0, 0};
     for (int a = 0; a < s->mesh->dim; ++a) {
-        g[a] = fold_index(s->mesh, a, at[a]);
+        g[a] = mesh_index_around(s->mesh, a, at[a]);
         if (g[a] < 0 || g[a] > s->mesh->n[a]) return -1;
     }
     return w->index[wetted_number(w, g)];

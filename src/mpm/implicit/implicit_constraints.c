@@ -74,8 +74,7 @@ double implicit_displacement(const mpm *s, int group, const int node[MESH_MAX_DI
         return 2.0 * implicit_displacement(s, group, on_wall, c) - image;
     }
     int at[MESH_MAX_DIM] = {0, 0, 0};
-    for (int a = 0; a < s->mesh->dim; ++a)
-        at[a] = s->mesh->periodic[a] ? (node[a] + s->mesh->n[a]) % s->mesh->n[a] : node[a];
+    for (int a = 0; a < s->mesh->dim; ++a) at[a] = mesh_index_around(s->mesh, a, node[a]);
     return w->u[implicit_index(w, implicit_layer(s, group), c, (int)solve_index(&w->grid, at[0], at[1], at[2]))];
 }
 

@@ -68,7 +68,7 @@ static gas_view see_gas(const mpm *s, const int node[MESH_MAX_DIM])
                 bool inside = true;
                 double share = 1.0;
                 for (int a = 0; a < m->dim; ++a) {
-                    at[a] = m->periodic[a] ? (node[a] + n[a] + m->n[a]) % m->n[a] : node[a] + n[a];
+                    at[a] = mesh_index_around(m, a, node[a] + n[a]);
                     inside = inside && at[a] >= 0 && at[a] < m->n[a];
                     share *= cell_share_along(support, n[a]);
                 }

@@ -253,7 +253,7 @@ static void visit_copies(mpm *s, int group, copy_visitor *visit)
                     int node[MESH_MAX_DIM] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k};
                     bool inside = true;
                     for (int a = 0; a < m->dim; ++a) {
-                        if (m->periodic[a]) node[a] = (node[a] + m->n[a]) % m->n[a];
+                        node[a] = mesh_index_around(m, a, node[a]);
                         inside = inside && node[a] >= 0 && node[a] <= m->n[a];
                     }
                     const size_t place = inside ? place_on_grid(s, node) : 0;

@@ -46,7 +46,7 @@ void visit_constraints(const mpm *s, int group, constraint_visitor *visit, void 
     for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *support = &s->supports->node[k];
         int node[MESH_MAX_DIM] = {0, 0, 0};
-        for (int a = 0; a < m->dim; ++a) node[a] = m->periodic[a] ? support->node[a] % m->n[a] : support->node[a];
+        for (int a = 0; a < m->dim; ++a) node[a] = mesh_index_around(m, a, support->node[a]);
         for (int c = 0; c < m->dim; ++c) visit(user, node, c, s->scene->support[support->support].velocity[c]);
     }
 }

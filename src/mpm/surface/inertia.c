@@ -134,7 +134,8 @@ typedef struct node_image {
 static node_image image_of(const mpm *s, int group, int axis, int node)
 {
     const int n = s->mesh->n[axis];
-    if (s->mesh->periodic[axis]) return (node_image){.n = 1, .at = {((node % n) + n) % n}, .weight = {1.0}};
+    if (s->mesh->periodic[axis])
+        return (node_image){.n = 1, .at = {mesh_index_around(s->mesh, axis, node)}, .weight = {1.0}};
     if (node >= 0 && node <= n) return (node_image){.n = 1, .at = {node}, .weight = {1.0}};
     const int side = node < 0 ? SIDE_LOWER : SIDE_UPPER, wall = node < 0 ? 0 : n, inner = node < 0 ? 1 : n - 1;
     if (wall_mirrors(s, group, axis, side))
