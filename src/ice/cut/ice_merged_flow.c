@@ -99,8 +99,7 @@ static void add_outflow(const ice *s, const ice_merged_cells *p, const ice_membe
         sum[FLUID_VOLUME] += v->m[r].theta[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
         for (int n = 0; n < 2 * v->dim; ++n) {
             const outlet f = outlet_of(m, n, swept);
-            if (f.open > 0.0 && !is_inner(s, p, &f))
-                sum[FLUID_MASS] += volume_out(s, &f, r) * fraction_at(s, &f, r);
+            if (f.open > 0.0 && !is_inner(s, p, &f)) sum[FLUID_MASS] += volume_out(s, &f, r) * fraction_at(s, &f, r);
         }
     }
 }
