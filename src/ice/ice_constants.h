@@ -102,6 +102,17 @@
 #define ICE_TRACE_ALL_BUT_DROPS 0.99
 /* And of the mass: a gas with a tenth of water in it moves as the water does. */
 #define ICE_TRACE_HALF_OF_MASS 0.5
+/* A cell with a neighbour less than 1/330 as dense as another, and in part up to 1/30, is at the interface of a liquid and a gas. */
+#define ICE_TRACE_CONTRAST 33.0
+#define ICE_TRACE_CONTRAST_ALL 1.1
+/* Ratio of impedances of the cells at a face there, from which slow flow keeps its viscosity, and its rise with it: none up to 1/4, all from 3/4 on. Between cells of one
+ * impedance it damps the gas beside the interface, between others the liquid. */
+#define ICE_TRACE_ALIKE 0.25
+#define ICE_TRACE_ALIKE_RISE 2.0
+/* Ratio of the densities of a cell's neighbours up to which its mass lies at the sides of either: none above 0.4, all below 0.275. Measured: between liquids of 2:1 it does no good,
+ * since what fluids share moves as one. */
+#define ICE_LEAN_NONE 0.4
+#define ICE_LEAN_RISE 8.0
 
 /* ---- gravity (theory 2.6) ---- */
 

@@ -2,6 +2,7 @@
 #include "ice/ice_constants.h"
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
+#include "ice/state/ice_lean.h"
 #include "ice/state/ice_state.h"
 #include "ice/trace/ice_trace_rows.h"
 
@@ -14,7 +15,7 @@ size_t ice_trace_buffer(const ice *s)
     size_t largest = 0;
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const block *b = &s->mesh->block[id];
-        const size_t length = trace_row_length(b), rows = (size_t)dim * (2 * WAVES + SLOPES) + 2 * STATES + 2;
+        const size_t length = trace_row_length(b), rows = (size_t)dim * (2 * WAVES + SLOPES) + 2 * STATES + 3;
         const size_t kept = dim == 1 ? 0 : STATES * (size_t)(dim == 3 ? b->n[1] + 1 : 1);
         largest = length * (rows + kept) > largest ? length * (rows + kept) : largest;
     }
@@ -103,7 +104,10 @@ static void find_warming(const ice *s, const ice_region *g)
 static double weight_beyond(const double *rho, ptrdiff_t at, ptrdiff_t out, int layer, double half)
 {
     double weight = half * (rho[at - (layer - 1) * out] + rho[at - layer * out]);
-    for (int n = 0; n < layer - 1; ++n) weight += 2.0 * half * (rho[at - n * out] + rho[at - (n + 1) * out]);
+    for (int n = 0; n < layer - 1; ++n) {
+        const ptrdiff_t image = at - (2 * layer - 1 - n) * out; /* has all neighbours */
+        weight += 2.0 * half * ice_mass_to_next(rho, image, out);
+    }
     return weight;
 }
 

@@ -3,6 +3,7 @@
 #ifndef ICE_TRACE_CELL_H
 #define ICE_TRACE_CELL_H
 
+#include "ice/state/ice_lean.h"
 #include "ice/trace/ice_parabola.h"
 #include "ice/trace/ice_trace_rows.h"
 
@@ -78,10 +79,23 @@ FLOE_ALWAYS_INLINE ice_five five_plus(ice_five a, double factor, ice_five b)
     return x;
 }
 
-/* Pressure less that of a column at rest in which the middle cell has its own (theory 2.4): p_j = p_j-1 + g h (rho_j-1 + rho_j)/2. */
-FLOE_ALWAYS_INLINE ice_five without_weight(ice_five p, ice_five rho, double weight)
+/* Twice what the halves of a cell, and of those beside it, weigh more than even ones. Of one fluid, and along axes without weight: none. */
+typedef struct lean_three {
+    double below, here, above; /* kg/m3 */
+} lean_three;
+
+FLOE_ALWAYS_INLINE lean_three leans_of(const trace_block *b, ptrdiff_t at, ptrdiff_t step, const trace_kind kind)
 {
-    const double half = 0.5 * weight, first = half * (rho.q[1] + rho.q[2]), next = half * (rho.q[2] + rho.q[3]);
+    if (kind == TRACE_ONE) return (lean_three){0.0, 0.0, 0.0};
+    return (lean_three){2.0 * ice_lean_at(b->rho, at - step, step), 2.0 * ice_lean_at(b->rho, at, step),
+                        2.0 * ice_lean_at(b->rho, at + step, step)};
+}
+
+/* Pressure less that of a column at rest in which the middle cell has its own (theory 2.4): p_j = p_j-1 + g h (rho_j-1 + rho_j)/2. */
+FLOE_ALWAYS_INLINE ice_five without_weight(ice_five p, ice_five rho, lean_three lean, double weight)
+{
+    const double half = 0.5 * weight, first = half * (rho.q[1] + rho.q[2] + (lean.here - lean.below)),
+                 next = half * (rho.q[2] + rho.q[3] + (lean.above - lean.here));
     p.q[0] += first + half * (rho.q[0] + rho.q[1]);
     p.q[1] += first;
     p.q[3] -= next;
@@ -130,14 +144,34 @@ FLOE_ALWAYS_INLINE double dilatation_share(const trace_block *b, ptrdiff_t at, d
     return least((div * div + rest) / (all + rest), 1.0);
 }
 
+/* Edges of a pressure that is linear in mass: in slow flow neighbours are accelerated alike, whatever their densities. */
+FLOE_ALWAYS_INLINE ice_edges mass_edges(ice_five p, ice_five rho, lean_three lean)
+{
+    const double below = rho.q[1] - lean.below, lower = rho.q[2] + lean.here, upper = rho.q[2] - lean.here,
+                 above = rho.q[3] + lean.above;
+    const double slope = (p.q[3] - p.q[1]) / (below + lower + upper + above);
+    return (ice_edges){p.q[2] - slope * lower, p.q[2] + slope * upper};
+}
+
 /* A cell and two on either side of it along an axis; p: less a column at rest. */
 typedef struct stencil {
     ice_five rho, u, e, p;
+    ice_edges by_mass; /* of p; of several fluids */
 } stencil;
+
+/* Edges of a wave of sound, of impedance z upwards: by a share those of lines. */
+FLOE_ALWAYS_INLINE ice_edges limit_sound(const stencil *s, ice_five wave, double z, bool torn, double lines,
+                                         const trace_kind kind)
+{
+    const ice_edges limited = ice_parabola_edges(wave), u = ice_line_edges(s->u);
+    if (kind == TRACE_ONE) return ice_blend_edges(limited, lines, ice_line_edges(wave));
+    const ice_edges line = {s->by_mass.lower + z * u.lower, s->by_mass.upper + z * u.upper};
+    return ice_blend_edges(limited, torn ? 0.0 : lines, line);
+}
 
 /* Edges of the waves; where the cell is torn, of pressure, velocity and density themselves: the waves of one cell say little of the next. */
 FLOE_ALWAYS_INLINE void limit_waves(const stencil *s, const medium *m, bool torn, double lines, double flat,
-                                    ice_edges *q)
+                                    ice_edges *q, const trace_kind kind)
 {
     const double up_u = torn ? 0.0 : m->z, down_p = torn ? 0.0 : 1.0, down_u = torn ? 1.0 : -m->z,
                  heat_p = torn ? 0.0 : m->inv_c2;
@@ -147,8 +181,8 @@ FLOE_ALWAYS_INLINE void limit_waves(const stencil *s, const medium *m, bool torn
         down.q[n] = down_p * s->p.q[n] + down_u * s->u.q[n];
         energy.q[n] = s->rho.q[n] * s->e.q[n] - m->enthalpy * s->p.q[n];
     }
-    q[WAVE_UP] = ice_blend_edges(ice_parabola_edges(up), lines, ice_line_edges(up));
-    q[WAVE_DOWN] = ice_blend_edges(ice_parabola_edges(down), lines, ice_line_edges(down));
+    q[WAVE_UP] = limit_sound(s, up, m->z, torn, lines, kind);
+    q[WAVE_DOWN] = limit_sound(s, down, -m->z, torn, lines, kind);
     q[WAVE_ENTROPY] = ice_steepen_edges(ice_parabola_edges(entropy), contact_share(s->rho, s->p, m->z * m->c), entropy);
     q[WAVE_ENERGY] = ice_parabola_edges(energy);
     const double mean[WAVE_ACROSS] = {up.q[2], down.q[2], entropy.q[2], energy.q[2]};
@@ -189,7 +223,7 @@ FLOE_ALWAYS_INLINE double contrast_share(const trace_block *b, ptrdiff_t at, ptr
 {
     const double below = b->rho[at - step], here = b->rho[at], above = b->rho[at + step];
     const double ratio = least(least(below, here), above) / most(most(below, here), above);
-    return least(most(1.1 - 33.0 * ratio, 0.0), 1.0);
+    return least(most(ICE_TRACE_CONTRAST_ALL - ICE_TRACE_CONTRAST * ratio, 0.0), 1.0);
 }
 
 /* Edges of a cell along an axis, and their differences. */
@@ -201,7 +235,10 @@ FLOE_ALWAYS_INLINE void find_edges(const trace_block *b, const trace_row *w, int
     stencil s = {.rho = densities_of(b, at, step, kind),
                  .u = five_of(b->u[axis], at, step),
                  .e = energies_of(b, at, step, kind)};
-    s.p = without_weight(five_of(b->p, at, step), five_of(b->rho, at, step), b->weight[axis]);
+    const ice_five mass = five_of(b->rho, at, step);
+    const lean_three lean = leans_of(b, at, step, kind);
+    s.p = without_weight(five_of(b->p, at, step), mass, lean, b->weight[axis]);
+    s.by_mass = mass_edges(s.p, mass, lean);
     const double *p = s.p.q, *u = s.u.q, *slow_shock = b->flat[axis];
     const bool torn = u[3] - u[1] > ICE_TRACE_TORN * m.c; /* towards a vacuum */
     double flat = most(slow_shock[at], p[3] < p[1] ? slow_shock[at + step] : slow_shock[at - step]);
@@ -211,7 +248,7 @@ FLOE_ALWAYS_INLINE void find_edges(const trace_block *b, const trace_row *w, int
                  even = most(1.0 - ICE_TRACE_UNEVEN * fabs(p[3] - p[1]) / (m.z * m.c), 0.0),
                  lines = slow * slow * even * (1.0 - w->dilatation[t]);
     ice_edges q[WAVES];
-    limit_waves(&s, &m, torn, lines, flat, q);
+    limit_waves(&s, &m, torn, lines, flat, q, kind);
     for (int n = 0; n < dim - 1; ++n) {
         const ice_five across = five_of(b->u[(axis + 1 + n) % dim], at, step);
         const ice_edges edges = ice_blend_edges(ice_parabola_edges(across), lines, ice_smooth_edges(across));
@@ -290,7 +327,11 @@ FLOE_ALWAYS_INLINE void put_state(const trace_block *b, const medium *m, int axi
 FLOE_ALWAYS_INLINE void put_cell(const trace_row *w, const medium *m, double early, ptrdiff_t t, double *const *to,
                                  const trace_kind kind)
 {
-    if (kind != TRACE_ONE) to[STATE_SOUND][t] = m->c;
+    if (kind != TRACE_ONE) {
+        to[STATE_SOUND][t] = m->c;
+        to[STATE_IMPEDANCE][t] = m->z;
+        to[STATE_CONTRAST][t] = w->contrast[t];
+    }
     to[STATE_EARLY][t] = early;
     to[STATE_MACH][t] = w->mach[t];
     to[STATE_DILATATION][t] = w->dilatation[t];
@@ -316,10 +357,12 @@ FLOE_ALWAYS_INLINE void trace_cell(const trace_block *b, const trace_row *w, int
         upper[n] = ice_mean_below_upper(e, own, most(speed[n] * k, -1.0));
     }
     half_step d = changes_across(b, w, &m, axis, at, i, dim, diffuses);
-    const double weight = 0.5 * b->weight[axis] * m.all; /* of half the cell; and as the column passes by */
+    /* Of half the cell, and what its lower half has beyond that; and as the column passes by. */
+    const double weight = 0.5 * b->weight[axis] * m.all,
+                 lean = kind == TRACE_ONE ? 0.0 : b->weight[axis] * ice_lean_at(b->rho, at, b->stride[axis]);
     d.p -= 0.5 * k * u * b->weight[axis] * m.all;
-    put_state(b, &m, axis, at, t, lower, -weight, &d, w->below, dim);
-    put_state(b, &m, axis, at, t, upper, weight, &d, above, dim);
+    put_state(b, &m, axis, at, t, lower, -weight - lean, &d, w->below, dim);
+    put_state(b, &m, axis, at, t, upper, weight - lean, &d, above, dim);
     put_cell(w, &m, early[0], t, w->below, kind);
     put_cell(w, &m, early[1], t, above, kind);
 }

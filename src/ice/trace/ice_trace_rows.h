@@ -21,7 +21,9 @@ enum {
     STATE_MACH,
     STATE_DILATATION,
     STATE_VELOCITY,
-    STATE_SOUND = STATE_VELOCITY + 3, /* where fluids share cells */
+    STATE_SOUND = STATE_VELOCITY + 3, /* where fluids share cells; as the next two */
+    STATE_IMPEDANCE,
+    STATE_CONTRAST,
     STATES
 };
 
@@ -30,6 +32,7 @@ typedef struct trace_row {
     double *lower[3][WAVES], *upper[3][WAVES]; /* edges by axis, at the start of the step */
     double *slope[3][SLOPES];
     double *mach, *dilatation; /* |u|/c; share of div u in the velocity's gradient, 0 to 1 */
+    double *contrast;          /* 0 to 1: at the interface of a liquid and a gas */
     double *below[STATES];     /* at the lower face of the axis in hand */
     double *above[STATES];     /* at the upper face, while faces along the row are found */
 } trace_row;

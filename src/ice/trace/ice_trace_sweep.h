@@ -68,6 +68,15 @@ FLOE_ALWAYS_INLINE double slow_share(double mach, double dilatation, double jump
     return (1.0 - fast) * (1.0 - dilatation);
 }
 
+/* The share that a face beside the interface of a liquid and a gas keeps: between cells of like impedance. */
+FLOE_ALWAYS_INLINE double alike_share(double *const *lower, ptrdiff_t from, double *const *upper, ptrdiff_t t)
+{
+    const double below = lower[STATE_IMPEDANCE][from], above = upper[STATE_IMPEDANCE][t],
+                 ratio = least(below, above) / most(below, above);
+    return most(lower[STATE_CONTRAST][from], upper[STATE_CONTRAST][t]) *
+           least(most(ICE_TRACE_ALIKE_RISE * (ratio - ICE_TRACE_ALIKE), 0.0), 1.0);
+}
+
 /* A face between the upper state of the cell below it, number `from` of its row, and the lower state of the cell above it. */
 FLOE_ALWAYS_INLINE ice_star star_at(const trace_block *b, int axis, ptrdiff_t at, double *const *lower, ptrdiff_t from,
                                     double *const *upper, ptrdiff_t t, const int dim, const bool several)
@@ -76,8 +85,9 @@ FLOE_ALWAYS_INLINE ice_star star_at(const trace_block *b, int axis, ptrdiff_t at
     const double below = several ? lower[STATE_SOUND][from] : b->c[L],
                  above = several ? upper[STATE_SOUND][t] : b->c[at];
     const ice_side_of_face left = side_at(lower, from, below, dim), right = side_at(upper, t, above, dim);
-    const double slow = slow_share(most(lower[STATE_MACH][from], upper[STATE_MACH][t]),
-                                   most(lower[STATE_DILATATION][from], upper[STATE_DILATATION][t]),
+    const double dilatation = most(lower[STATE_DILATATION][from], upper[STATE_DILATATION][t]),
+                 kept = several ? most(dilatation, alike_share(lower, from, upper, t)) : dilatation;
+    const double slow = slow_share(most(lower[STATE_MACH][from], upper[STATE_MACH][t]), kept,
                                    b->u[axis][at] - b->u[axis][L], least(below, above));
     return ice_star_of(&left, &right, axis, slow, dim);
 }
@@ -111,9 +121,10 @@ FLOE_ALWAYS_INLINE void find_row_edges(const trace_block *b, const trace_row *w,
         const double c = kind == TRACE_ONE ? b->c[at] : medium_of(b, at, kind).c;
         w->mach[1 + i] = sqrt(square) / c;
         w->dilatation[1 + i] = dilatation_share(b, at, c, dim);
-        /* At the interface of a liquid and a gas slow flow needs its viscosity and its limits. */
+        double contrast = 0.0;
         for (int a = 0; a < dim && kind != TRACE_ONE; ++a)
-            w->dilatation[1 + i] = most(w->dilatation[1 + i], contrast_share(b, at, b->stride[a]));
+            contrast = most(contrast, contrast_share(b, at, b->stride[a]));
+        w->contrast[1 + i] = contrast;
     }
     for (int axis = 0; axis < dim; ++axis) {
 #pragma omp simd
@@ -188,7 +199,7 @@ FLOE_ALWAYS_INLINE void cross_row(const trace_blocks *blocks, const trace_job *j
     trace_row_cells(blocks, job, &s->row, axis, base, dim, diffuses, several);
     if (faces) find_row_faces(blocks, job, axis, base, job->v->b->n[0], kept, s->row.below, dim, several);
     for (int q = 0; q < STATE_VELOCITY + dim; ++q) memcpy(kept[q], s->row.above[q], s->length * sizeof(double));
-    if (several) memcpy(kept[STATE_SOUND], s->row.above[STATE_SOUND], s->length * sizeof(double));
+    for (int q = STATE_SOUND; several && q < STATES; ++q) memcpy(kept[q], s->row.above[q], s->length * sizeof(double));
 }
 
 /* All faces of one row of a slab: those along it where it is the sweep's own, and those to the rows before it. */
@@ -232,6 +243,7 @@ FLOE_ALWAYS_INLINE trace_store divide_buffer(const trace_job *job, const int dim
     rest = take_rows(rest, s.row.above, STATES, s.length);
     rest = take_rows(rest, &s.row.mach, 1, s.length);
     rest = take_rows(rest, &s.row.dilatation, 1, s.length);
+    rest = take_rows(rest, &s.row.contrast, 1, s.length);
     for (int a = 1; a < dim; ++a) rest = take_rows(rest, s.kept[a], STATES, s.length * (size_t)(a == 2 ? b->n[1] : 1));
     return s;
 }
