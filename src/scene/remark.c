@@ -254,11 +254,12 @@ static void remark_dense_shocks(const scene *s, remark_sink *say, void *user)
         }
 }
 
-/* Beside points fluids are closed at frozen temperatures and have no sharp interfaces (theory 2.15). */
+/* Beside points that cells share fluids are closed at frozen temperatures and have no sharp interfaces (theory 2.15). Sharp surfaces keep points out of cells. */
 static void remark_beside_points(const scene *s, remark_sink *say, void *user)
 {
     const double shock = 10.0;
-    for (int k = 0; k < s->n_bodies && s->coupling == COUPLING_ICE_MPM && has_walls(s); ++k)
+    const bool smeared = s->coupling == COUPLING_ICE_MPM && s->method.interface != INTERFACE_SHARP && has_walls(s);
+    for (int k = 0; k < s->n_bodies && smeared; ++k)
         for (int d = 0; d < s->n_bodies; ++d) {
             const scene_body *driven = &s->body[k], *driver = &s->body[d];
             if (!is_fluid_of_cells(s, driven) || !is_fluid_of_cells(s, driver) || driven->material == driver->material)
@@ -267,9 +268,10 @@ static void remark_beside_points(const scene *s, remark_sink *say, void *user)
             char text[REMARK_SIZE];
             (void)snprintf(
                 text, sizeof text,
-                "body '%s' drives the fluid of body '%s' with %.3g times its pressure beside solids: there shocks "
-                "between fluids have 3 to 27 %% too much or too little density (pressure ratios of 10 to 1e5), "
-                "those within one fluid 1 %%. Give both one material, if they may be one",
+                "body '%s' drives the fluid of body '%s' with %.3g times its pressure beside smeared solids: there "
+                "shocks between fluids have 3 to 27 %% too much or too little density (pressure ratios of 10 to 1e5), "
+                "those within one fluid 1 %%. Take `method.interface: sharp`, or give both one material, if they may "
+                "be one",
                 driver->name, driven->name, driver->pressure / driven->pressure);
             say(user, text);
         }

@@ -93,6 +93,46 @@ bodies:
   wall: {material: steel, shape: {box: {lower: [0.8, 0], upper: [1, 0.1]}}}
 time: {end: 1e-5}
 END
+# (Where solids are smeared: no solid keeps sharp surfaces from a scene.)
 expect 0 "$FLOE" check beside.yaml
 cat stdout stderr >said
-has said "body 'products' drives the fluid of body 'air' with 100 times its pressure beside solids"
+! grep -q 'times its pressure beside' said || fault 'fluids beside a sharp wall are warned of'
+expect 0 "$FLOE" check beside.yaml --set method.interface=smeared
+cat stdout stderr >said
+has said "body 'products' drives the fluid of body 'air' with 100 times its pressure beside smeared solids"
+
+# A solid with a sharp surface in a corner, which the waves do not reach: the tube of two gases is as without it, to round-off (faces from waves, theory
+# 2.17; with centred faces everywhere errors were twice as large). By steps of one length, as with it they are shorter.
+cat >corner.yaml <<'END'
+floe: 1
+title: Two gases in a tube with a block in its corner
+source: Riemann problem, Toro 2009, chapter 4
+coupling: ice-mpm
+runs_as: [ice-mpm]
+reference_pressure: 1e4
+domain: {dim: 2, lower: [0, 0], upper: [1.2, 0.08], cell: 0.01}
+boundaries: {x: symmetry, y: slip}
+materials:
+  left: {eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}
+  right: {eos: {ideal: {gamma: 1.6, specific_heat: 717.5}}}
+  steel: {density: 7850, specific_heat: 460, law: {linear_elastic: {bulk_modulus: 160 GPa, shear_modulus: 80 GPa}}}
+ambient: {material: right, pressure: 1e4, temperature: 185.8304297}
+bodies:
+  left: {material: left, shape: {box: {lower: [0, 0], upper: [0.5, 0.08]}}, pressure: 1e5, temperature: 348.4320557}
+  right: {material: right, shape: {box: {lower: [0.5, 0], upper: [1.2, 0.08]}}, pressure: 1e4, temperature: 185.8304297}
+  block: {material: steel, shape: {box: {lower: [1.087, 0], upper: [1.2, 0.033]}}, motion: fixed}
+time: {end: 5e-4, max_step: 3e-6}
+verify:
+  exact:
+    riemann: {left_density: 1, left_pressure: 1e5, right_density: 0.125, right_pressure: 1e4, right_gamma: 1.6, position: 0.5}
+  region: {box: {lower: [0.1, 0], upper: [1, 0.08]}}
+  metrics: [l1rel_density, l1rel_velocity_x, l1rel_pressure]
+END
+expect 0 "$FLOE" run corner.yaml -o corner --quiet
+expect 0 "$FLOE" run corner.yaml -o free --quiet --coupling ice --set "runs_as=[ice]" --set bodies.block=null --set materials.steel=null
+for what in mass momentum energy; do below "$(json corner/summary.json $what)" 1e-13; done
+for what in density velocity_x pressure; do
+    awk -v a="$(error corner l1rel_$what)" -v b="$(error free l1rel_$what)" 'BEGIN { d = a / b - 1; exit !(a > 0 && b > 0 && d * d < 1e-16) }' ||
+        fault "$what: $(error corner l1rel_$what) beside a block, $(error free l1rel_$what) without it"
+done
+below "$(error corner l1rel_density)" 0.0065 # measured: 0.0043 (centred faces: 0.0083)

@@ -21,7 +21,7 @@ bool ice_traces_in_part(const ice *s)
 
 bool ice_traces_shared(const ice *s, const ice_region *g)
 {
-    if (!ice_has_interfaces(s, g) || s->cut) return false;
+    if (!ice_has_interfaces(s, g)) return false;
     for (int r = g->first; r < g->first + g->n; ++r)
         for (int q = g->first; q < r; ++q)
             if (s->exchange.K[r][q] < EXCHANGE_LOCKED || s->exchange.Kt[r][q] < EXCHANGE_LOCKED) return false;
