@@ -153,7 +153,7 @@ static floe_status create_parts(mpm *s)
     TRY(windows_create(s));
     TRY(scratch_create(s));
     TRY(motions_create(s));
-    TRY(memory_new(s->ctx, &s->supports, 1, sizeof *s->supports));
+    TRY(supports_create(s));
     TRY(memory_new(s->ctx, &s->surfaces, 1, sizeof *s->surfaces));
     TRY(memory_new(s->ctx, &s->springs, SCENE_MAX_SPRINGS, sizeof *s->springs));
     if (encloses_points(s)) TRY(memory_new(s->ctx, &s->enclosure, 1, sizeof *s->enclosure));

@@ -25,6 +25,17 @@
 /* A point with less than this share of its mass is consumed entirely by its reaction: smaller keeps light, unsteady points. */
 #define MPM_BURNT_OUT 1e-3
 
+/* ---- supports (theory 4.13), in cells ---- */
+
+/* Nodes closer to the surface of a support than this are led, and lead none: their cell holds too little of the solid. */
+#define MPM_SUPPORT_CLEAR 0.6
+/* How well the surface is found, and how far beyond it a solid is looked for. */
+#define MPM_SUPPORT_SURFACE 1e-9
+#define MPM_SUPPORT_BESIDE 1e-3
+/* Halves of how far beside a line of nodes points reach them, and bear on a master: farther off it would have next to no mass. */
+#define MPM_SUPPORT_REACHED 0.75
+#define MPM_SUPPORT_BEARING 0.625
+
 /* ---- nearly incompressible bodies (theory 4.16) ---- */
 
 /* Bulk over shear modulus above which the points of a patch of cells share a change of volume (a Poisson's ratio of 0.41). Measured

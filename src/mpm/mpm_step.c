@@ -4,6 +4,7 @@
 #include "mpm/mpm_constants.h"
 #include "mpm/nodes/light_nodes.h"
 #include "mpm/nodes/sides.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/step.h"
 #include "mpm/surface/surfaces.h"
 #include "mpm/thermal/thermal.h"
@@ -29,7 +30,7 @@ floe_status mpm_begin_step(mpm *s)
     s->kick = s->cells != CELLS_NONE ? s->dt : 0.5 * (s->dt_previous + s->dt);
     s->burnt = false;
     set_body_forces(s);
-    return FLOE_OK;
+    return follow_supports(s);
 }
 
 #define REMEMBERED(n) WHEN(s->n_history >= (n), P_HISTORY_##n)
@@ -289,6 +290,7 @@ static floe_status implicit_stages(mpm *s)
               WRITES(P_POS, P_VEL, POINT_STATE));
         return turn_stages(s);
     }
+    TRY(follow_supports(s));
     STAGE(s, s->carries[P_DRIVE], mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
     STAGE(s, ALWAYS, mpm_implicit_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));

@@ -5,6 +5,7 @@
 #include "mpm/mpm_constants.h"
 #include "mpm/nodes/constraints.h"
 #include "mpm/nodes/sides.h"
+#include "mpm/nodes/supports.h"
 
 #include <math.h>
 #include <string.h>
@@ -183,6 +184,35 @@ static bool is_unbalanced(const edge_group *g, const edge_line *l)
     return constrained || l->images;
 }
 
+/* The nearest tap that a support leads, from one on; it leads those behind it alike. NULL: none. */
+static const support_node *nearest_led(const support_node *const at[EDGE_TAPS], int taps, int from, int *steps)
+{
+    for (*steps = 0; *steps < taps; ++*steps)
+        for (int way = -1; way < 2; way += 2) {
+            const int t = from + way * *steps;
+            if (t >= 0 && t < taps && at[t] && at[t]->led) return at[t];
+        }
+    return NULL;
+}
+
+/* Taps that a support leads along the line are their masters, with a share of the weight, and so are those held behind them: the motion of the solid goes on to
+ * there. False where it leads them along another axis, in which they are linear as their masters are, or moves. */
+static bool fold_led_taps(const mpm *s, int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l)
+{
+    const support_node *at[EDGE_TAPS] = {NULL};
+    for (int t = 0; t < edge_taps(s); ++t) at[t] = support_of(s, tap[t]);
+    for (int t = 0; t < edge_taps(s); ++t) {
+        int steps;
+        const support_node *led = at[t] ? nearest_led(at, edge_taps(s), t, &steps) : NULL;
+        if (!led) continue;
+        if (led->way[l->axis] == 0 || support_moves(s, led->support)) return false;
+        memcpy(tap[t], led->master, sizeof tap[t]);
+        for (int k = 0; k < 2; ++k) l->weight[k][t] *= led->share - steps * led->per_step;
+        l->images = true;
+    }
+    return true;
+}
+
 static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user)
 {
     (void)user;
@@ -194,6 +224,7 @@ static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_M
     edge_line l = {.axis = axis, .slot = place * (size_t)s->mesh->dim};
     if (body < 0 || !edge_find_taps(s, group, first, tap, &l)) return FLOE_OK;
     l.stiffness = e->penalty * penalty_modulus_of(s, body) * line_extent(s, axis, tap);
+    if (!fold_led_taps(s, tap, &l)) return FLOE_OK;
     l.most = longest_of(s, body, axis);
     l.inertia = l.stiffness * s->mesh->h[axis] * s->mesh->h[axis] / (g->speed * g->speed);
     for (int t = 0; t < edge_taps(s); ++t) TRY(list_edge_node(s, group, body, tap[t], &l.node[t]));

@@ -15,7 +15,7 @@ enum { EDGE_TAPS = 5 };
 typedef struct edge_line {
     size_t slot;     /* index of its differences in the history, one for each component from there on */
     int axis;        /* that it runs along */
-    bool images;     /* some tap is the image of its node in a mirror */
+    bool images;     /* some tap is the image of its node in a mirror, or led by a support */
     bool flows;      /* in this step it yields; it is not damped then */
     bool unbalanced; /* its forces on unconstrained nodes need not sum to zero: it has an image or a constrained node */
     int node[EDGE_TAPS]; /* in the list of the group's nodes; taps beyond the order of the basis have zero weight */

@@ -16,7 +16,7 @@
 #include "solve/cg.h"
 #include "solve/multigrid.h"
 
-enum { IMPLICIT_GRADIENTS = 9, IMPLICIT_NODES = BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT };
+enum { IMPLICIT_GRADIENTS = 9, IMPLICIT_NODES = 2 * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT };
 
 /* Shape functions at a point along one axis, those of ghost nodes folded into nodes of the mesh: `plain` for components
  * parallel to a mirror, `turned` for the component normal to it, which is odd there. Slopes in 1/m. */
@@ -29,6 +29,7 @@ typedef struct axis_weights {
 typedef struct point_weights {
     axis_weights axis[MESH_MAX_DIM];
     double radius; /* m: the first coordinate, in axisymmetric scenes only */
+    int support;   /* to which the point belongs, and reaches no node; -1: none */
 } point_weights;
 
 /* A node in the support of a point: value and gradient (1/m) of its shape function, for each component of the
@@ -93,6 +94,7 @@ struct mpm_implicit {
     bool *constrained;       /* components of nodes that walls and supports constrain; owned */
     bool *reached;           /* components of nodes in the support of some point of their displacement field; owned */
     bool *row;               /* nodes in the support of some solid point; owned */
+    int *led;                /* place among the supports' nodes plus one, where one leads the node; owned; NULL: none */
     bool ready;              /* the matrix was assembled in this increment */
     int newton, krylov_iterations; /* of the increment */
     int *tile_block, *tile_local;  /* of each global tile; owned */
@@ -105,7 +107,7 @@ void implicit_for_tiles(mpm *s, implicit_tile *visit, void *user);
 
 /* Shape functions of all points for an increment (implicit_weights.c). Errors: FLOE_NO_MEMORY. */
 floe_status implicit_locate(mpm *s);
-/* The nodes in the support of a point, with their shape functions. Returns how many. */
+/* The nodes in the support of a point, with their shape functions; those that supports lead are shared by their masters and the supports. Returns how many. */
 int implicit_nodes(const mpm *s, const point_weights *p, weighted_node out[IMPLICIT_NODES]);
 
 /* Stress and internal force of every point at the displacement u, and its next state (implicit_points.c). FLOE_RETRY
@@ -128,6 +130,8 @@ double implicit_displacement(const mpm *s, int group, const int node[MESH_MAX_DI
  * than a cell. */
 floe_status implicit_move(mpm *s);
 
+/* How far points couple nodes along each axis. */
+int implicit_width(const mpm *s);
 /* By how many nodes along an axis the edge penalty couples farther than points do. */
 int implicit_arm(const mpm *s);
 /* Ghost penalty at the edges of solids (implicit_edges.c; these do nothing without it). Lists the penalised lines of an

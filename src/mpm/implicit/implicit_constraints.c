@@ -4,6 +4,7 @@
 #include "mpm/motion/motion_ties.h"
 #include "mpm/nodes/constraints.h"
 #include "mpm/nodes/sides.h"
+#include "mpm/nodes/supports.h"
 
 #include <string.h>
 
@@ -25,6 +26,12 @@ void implicit_constrain(mpm *s)
     memset(w->prescribed, 0, w->components * sizeof *w->prescribed);
     visit_constraints(s, 0, constrain_component, s);
     motions_visit_ties(s, constrain_component, s);
+    if (!w->led) return;
+    memset(w->led, 0, w->grid.size * sizeof *w->led);
+    for (size_t k = 0; k < s->supports->n; ++k) {
+        const int *node = s->supports->node[k].node;
+        if (s->supports->node[k].led) w->led[solve_index(&w->grid, node[0], node[1], node[2])] = 1 + (int)k;
+    }
 }
 
 static void reach_tile(mpm *s, int blk, int tile, void *user)
@@ -75,7 +82,12 @@ double implicit_displacement(const mpm *s, int group, const int node[MESH_MAX_DI
     }
     int at[MESH_MAX_DIM] = {0, 0, 0};
     for (int a = 0; a < s->mesh->dim; ++a) at[a] = mesh_index_around(s->mesh, a, node[a]);
-    return w->u[implicit_index(w, implicit_layer(s, group), c, (int)solve_index(&w->grid, at[0], at[1], at[2]))];
+    const int here = (int)solve_index(&w->grid, at[0], at[1], at[2]), layer = implicit_layer(s, group);
+    const double own = w->u[implicit_index(w, layer, c, here)];
+    if (!w->led || w->led[here] == 0) return own;
+    const support_node *led = &s->supports->node[w->led[here] - 1];
+    const int master = (int)solve_index(&w->grid, led->master[0], led->master[1], led->master[2]);
+    return own + led->share * (w->u[implicit_index(w, layer, c, master)] - own);
 }
 
 void implicit_collect(mpm *s, field_id id, int group, double *out)

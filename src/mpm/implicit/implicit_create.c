@@ -86,7 +86,7 @@ static floe_status make_solver(mpm *s)
     w->components = (size_t)(dim * w->layers) * w->grid.size;
     choose_gradients(s, w);
     TRY(find_tiles(s));
-    TRY(multigrid_of_nodes(&w->solver, s->ctx, &w->grid, dim * w->layers, s->basis->support - 1, implicit_arm(s)));
+    TRY(multigrid_of_nodes(&w->solver, s->ctx, &w->grid, dim * w->layers, implicit_width(s), implicit_arm(s)));
     TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim * w->layers, MPM_MOST_KRYLOV));
     TRY(enclosed_gases_find(s));
     TRY(implicit_contact_create(s));
@@ -105,6 +105,7 @@ static floe_status make_solver(mpm *s)
     }
     TRY(memory_new(s->ctx, &w->constrained, w->components, sizeof *w->constrained));
     TRY(memory_new(s->ctx, &w->row, w->grid.size, sizeof *w->row));
+    if (s->scene->n_supports > 0) TRY(memory_new(s->ctx, &w->led, w->grid.size, sizeof *w->led));
     return memory_new(s->ctx, &w->reached, w->components, sizeof *w->reached);
 }
 
@@ -150,6 +151,7 @@ floe_status mpm_stiffen_walls(mpm *s)
         TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
     TRY(memory_new(s->ctx, &w->constrained, w->components, sizeof *w->constrained));
     TRY(memory_new(s->ctx, &w->row, w->grid.size, sizeof *w->row));
+    if (s->scene->n_supports > 0) TRY(memory_new(s->ctx, &w->led, w->grid.size, sizeof *w->led));
     TRY(memory_new(s->ctx, &w->reached, w->components, sizeof *w->reached));
     return stiff_create(s);
 }
@@ -220,7 +222,8 @@ void implicit_destroy(mpm *s)
     void *owned[] = {&w->mass,     &w->velocity, &w->gas_force,  &w->weights,    &w->point_force,
                      &w->tangent,  &w->u,        &w->change,     &w->external,   &w->internal_first,
                      &w->internal, &w->residual, &w->trial,      &w->prescribed, &w->constrained,
-                     &w->reached,  &w->row,      &w->tile_block, &w->tile_local, &w->constraint_step};
+                     &w->reached,  &w->row,      &w->tile_block, &w->tile_local, &w->constraint_step,
+                     &w->led};
     for (size_t k = 0; k < sizeof owned / sizeof *owned; ++k) memory_free(s->ctx, owned[k]);
     memory_free(s->ctx, &s->implicit);
 }

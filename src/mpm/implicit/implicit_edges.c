@@ -19,7 +19,7 @@ static int count_groups(const mpm *s)
 
 int implicit_arm(const mpm *s)
 {
-    const int lines = s->edges ? edge_taps(s) - 1 : 0, points = s->basis->support - 1;
+    const int lines = s->edges ? edge_taps(s) - 1 : 0, points = implicit_width(s);
     return lines > points ? lines - points : 0;
 }
 
@@ -59,14 +59,15 @@ void implicit_edge_force(mpm *s, const double *u, double *internal)
 }
 
 /* Entry of a pair of taps along an axis, of components c and d of the matrix, which lie within the matrix's reach of each other, around a
- * periodic end where need be. */
+ * periodic end where need be. Nodes that no point reaches, in supports, have none. */
 static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const edge_node *to, int axis, const int c[2],
                      double value)
 {
     const int row = m->row[node_index(s, from)];
     int far = to->at[axis] - from->at[axis];
     if (abs(far) > m->width + m->arm) far += far < 0 ? s->mesh->n[axis] : -s->mesh->n[axis];
-    if (row >= 0) node_matrix_entries(m, row, c[0], c[1])[node_matrix_slot_along(m, axis, far)] += value;
+    if (row >= 0 && m->row[node_index(s, to)] >= 0)
+        node_matrix_entries(m, row, c[0], c[1])[node_matrix_slot_along(m, axis, far)] += value;
 }
 
 /* Slope of a line's force of component c over its difference of component d: k, and of one that yields k (most/|D u|) (1 - n n^T), n along D u, with a little

@@ -5,10 +5,12 @@
  *
  * f the forces of the points, v and m of the nodes as the points bring them, c the deck's damping. */
 #include "mpm/implicit/implicit.h"
+#include "mpm/nodes/supports.h"
+#include "mpm/transfer/scratch.h"
 
 #include <string.h>
 
-/* The node fields of the blocks, as the solver's arrays: collected as forces are. */
+/* The node fields of the blocks, as the solver's arrays: collected as forces are. Nodes of supports that move have the velocity of these. */
 void motion_begin(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
@@ -21,6 +23,13 @@ void motion_begin(mpm *s)
     for (size_t k = 0; k < w->components; ++k) {
         const double m = w->mass[k % w->grid.size];
         w->velocity[k] = m > 0.0 ? w->velocity[k] / m : 0.0;
+    }
+    for (size_t n = 0; n < s->supports->n; ++n) {
+        const support_node *node = &s->supports->node[n];
+        const int at = (int)solve_index(&w->grid, node->node[0], node->node[1], node->node[2]);
+        for (int c = 0; c < s->mesh->dim && support_moves(s, node->support); ++c)
+            for (int l = 0; l < w->layers; ++l)
+                w->velocity[implicit_index(w, l, c, at)] = s->scene->support[node->support].velocity[c];
     }
 }
 
@@ -76,19 +85,49 @@ static void place_of_entry(const mpm *s, size_t i, double x[MESH_MAX_DIM])
     place_of_node(s->mesh, node, x);
 }
 
+static void add_brought(mpm *s, int blk, int tile, void *user, double *sum)
+{
+    const struct mpm_implicit *w = user;
+    const fields *f = s->domain->fields[blk];
+    for (int body = 0; body < s->n_bodies; ++body) {
+        if (s->body[body].fluid) continue;
+        const size_t *range = s->points[blk][body].tile_start + tile;
+        const double *mass = field_get(f, P_MASS, body, 0);
+        for (size_t k = range[0]; k < range[1]; ++k)
+            for (int c = 0; c < s->mesh->dim && w->weights[w->first[blk][body] + k].support < 0; ++c)
+                sum[c] += mass[k] * field_get(f, P_VEL, body, c)[k];
+    }
+}
+
+/* Momentum (N s) that led nodes give points beyond what these brought: the share of PIC (theory 4.13). `mass`: by component. */
+static void find_led_momentum(mpm *s, const double *mass, double out[MESH_MAX_DIM])
+{
+    const struct mpm_implicit *w = s->implicit;
+    double brought[MESH_MAX_DIM];
+    for (int c = 0; c < MESH_MAX_DIM; ++c) out[c] = 0.0;
+    if (!w->led) return;
+    sum_over_tiles(s, MESH_MAX_DIM, add_brought, s->implicit, brought);
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        for (size_t i = 0; i < w->grid.size; ++i)
+            out[c] += mass[(size_t)c * w->grid.size + i] * w->velocity[(size_t)c * w->grid.size + i];
+        out[c] = (1.0 - s->share) * (out[c] - brought[c]);
+    }
+}
+
 /* Impulses and work of loads, damping and constraints. */
 void motion_enter(mpm *s)
 {
     const struct mpm_implicit *w = s->implicit;
     double *share = w->trial, work = 0.0, damped = 0.0, constraint_work = 0.0;
     const double rate = motion_damping(s);
-    double pushes[3] = {0.0}, losses[3] = {0.0}, gains[3] = {0.0}, x[MESH_MAX_DIM];
+    double pushes[3] = {0.0}, losses[3] = {0.0}, gains[3] = {0.0}, x[MESH_MAX_DIM], led[MESH_MAX_DIM];
     bool any_walls = false;
     memset(share, 0, w->components * sizeof *share);
     implicit_node_mass(s, share);
+    find_led_momentum(s, share, led);
     for (int c = 0; c < s->mesh->dim; ++c) {
         const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + c);
-        double gained = 0.0, gas_force = 0.0, slowed = 0.0;
+        double gained = led[c], gas_force = 0.0, slowed = 0.0;
         bool walls = false;
         for (size_t i = 0; i < w->grid.size; ++i) {
             const size_t k = (size_t)c * w->grid.size + i;

@@ -194,10 +194,24 @@ static double largest_displacement(const mpm *s)
     return s->contact ? 0.25 : 1.0;
 }
 
+/* Points of supports move with them. */
+static floe_status move_supported_point(mpm *s, int blk, int body, size_t k, int support)
+{
+    const fields *f = s->domain->fields[blk];
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const double v = s->scene->support[support].velocity[c];
+        field_next(f, P_POS, body, c)[k] = field_get(f, P_POS, body, c)[k] + s->dt * v;
+        field_next(f, P_VEL, body, c)[k] = s->implicit->mass ? v : 0.0;
+    }
+    return FLOE_OK;
+}
+
 static floe_status move_implicit_point(mpm *s, int blk, int body, size_t k)
 {
     const struct mpm_implicit *w = s->implicit;
     const fields *f = s->domain->fields[blk];
+    const int support = w->weights[w->first[blk][body] + k].support;
+    if (support >= 0) return move_supported_point(s, blk, body, k, support);
     weighted_node node[IMPLICIT_NODES];
     const int n = implicit_nodes(s, &w->weights[w->first[blk][body] + k], node);
     for (int c = 0; c < s->mesh->dim; ++c) {

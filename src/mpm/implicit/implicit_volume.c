@@ -1,5 +1,6 @@
 /* Patches of points, their coupling to the nodes, and displacements with pressures (implicit_volume.h). */
 #include "mpm/implicit/implicit_volume.h"
+#include "mpm/nodes/supports.h"
 
 #include "base/memory.h"
 #include "mpm/implicit/implicit_constants.h"
@@ -20,7 +21,7 @@ floe_status implicit_volume_create(mpm *s)
     for (int b = 0; b < s->n_bodies; ++b) any = any || implicit_shares_volume(s, b);
     if (!any) return FLOE_OK;
     TRY(memory_new(s->ctx, &w->volume, 1, sizeof *w->volume));
-    TRY(node_matrix_create(&w->volume->exact, s->ctx, &w->grid, s->mesh->dim * w->layers, s->basis->support - 1,
+    TRY(node_matrix_create(&w->volume->exact, s->ctx, &w->grid, s->mesh->dim * w->layers, implicit_width(s),
                            implicit_arm(s)));
     w->volume->margin = MPM_VOLUME_MARGIN;
     multigrid_widen(w->solver, w->volume->margin);
@@ -88,7 +89,7 @@ static floe_status list_tile(mpm *s, int blk, int tile, int body)
     return FLOE_OK;
 }
 
-/* The nodes that a patch's points reach: those of a box, which begins at the least of its points' first ones. */
+/* The nodes that a patch's points reach: those of a box, which begins at the least of its points' first ones; masters of led nodes lie beside it. */
 typedef struct node_box {
     int first[MESH_MAX_DIM], count[MESH_MAX_DIM];
 } node_box;
@@ -104,8 +105,10 @@ static node_box nodes_about(const mpm *s, const body_patch *patch)
             least = first < least ? first : least;
             most = first > most ? first : most;
         }
-        box.first[a] = least;
-        box.count[a] = most - least + s->basis->support;
+        const int beside = w->led ? SUPPORT_STEPS : 0, end = most + s->basis->support + beside;
+        const bool around = w->grid.periodic[a];
+        box.first[a] = around || least > beside ? least - beside : 0;
+        box.count[a] = (around || end < w->grid.n[a] ? end : w->grid.n[a]) - box.first[a];
     }
     return box;
 }

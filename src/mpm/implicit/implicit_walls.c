@@ -28,7 +28,7 @@ floe_status stiff_create(mpm *s)
     struct mpm_implicit *w = s->implicit;
     TRY(memory_new(s->ctx, &w->walls, 1, sizeof *w->walls));
     struct implicit_walls *k = w->walls;
-    TRY(node_matrix_create(&k->matrix, s->ctx, &w->grid, s->mesh->dim, s->basis->support - 1, implicit_arm(s)));
+    TRY(node_matrix_create(&k->matrix, s->ctx, &w->grid, s->mesh->dim, implicit_width(s), implicit_arm(s)));
     TRY(skyline_create(&k->factors, s->ctx));
     double **array[] = {&k->load, &k->change, &k->answer, &k->pulled};
     for (size_t n = 0; n < sizeof array / sizeof *array; ++n)

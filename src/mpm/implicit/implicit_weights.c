@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "mpm/implicit/implicit.h"
 #include "mpm/nodes/sides.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/transfer/point_arrays.h"
 
 #include <string.h>
@@ -69,6 +70,13 @@ static floe_status reserve_weights(mpm *s)
     return memory_resize(s->ctx, &w->tangent, w->points_reserved, n * n * sizeof(double));
 }
 
+static int support_of_place(const mpm *s, int body, const point_arrays *p, long long k)
+{
+    double x[MESH_MAX_DIM] = {0.0};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = p->x[a][k];
+    return s->scene->n_supports > 0 ? support_of_point(s, body, x) : -1;
+}
+
 floe_status implicit_locate(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
@@ -84,9 +92,51 @@ floe_status implicit_locate(mpm *s)
                 for (int a = 0; a < s->mesh->dim; ++a)
                     locate_axis(s, a, p.x[a][k], p.half[a] ? p.half[a][k] : 0.25 * s->mesh->h[a], &place[k].axis[a]);
                 place[k].radius = p.x[0][k];
+                place[k].support = support_of_place(s, body, &p, k);
             }
         }
     return FLOE_OK;
+}
+
+static weighted_node scaled_node(const weighted_node *node, double factor)
+{
+    weighted_node out = *node;
+    for (int c = 0; c < MESH_MAX_DIM; ++c) {
+        out.S[c] *= factor;
+        for (int a = 0; a < MESH_MAX_DIM; ++a) out.slope[c][a] *= factor;
+    }
+    return out;
+}
+
+int implicit_width(const mpm *s)
+{
+    return s->basis->support - 1 + supports_widen(s);
+}
+
+/* Takes the place of a node some nodes on, less a number of steps. */
+static void go_from(const mpm *s, weighted_node *node, const int to[MESH_MAX_DIM], const int way[MESH_MAX_DIM],
+                    int less)
+{
+    for (int a = 0; a < s->mesh->dim; ++a) node->node[a] += way[a] - less * ((way[a] > 0) - (way[a] < 0));
+    node->at = (int)solve_index(&s->implicit->grid, to[0], to[1], to[2]);
+}
+
+/* A led node moves by a share as its master, by the rest as its support: as the node before the master, which is led or held, too. */
+static int share_led_nodes(const mpm *s, weighted_node node[IMPLICIT_NODES], int n)
+{
+    int all = n;
+    for (int i = 0; i < n && s->implicit->led; ++i) {
+        const int place = s->implicit->led[node[i].at];
+        if (place == 0) continue;
+        const support_node *led = &s->supports->node[place - 1];
+        if (support_moves(s, led->support)) {
+            node[all] = scaled_node(&node[i], 1.0 - led->share);
+            go_from(s, &node[all++], led->anchor, led->way, 1);
+        }
+        node[i] = scaled_node(&node[i], led->share);
+        go_from(s, &node[i], led->master, led->way, 0);
+    }
+    return all;
 }
 
 int implicit_nodes(const mpm *s, const point_weights *p, weighted_node out[IMPLICIT_NODES])
@@ -94,7 +144,7 @@ int implicit_nodes(const mpm *s, const point_weights *p, weighted_node out[IMPLI
     const int dim = s->mesh->dim, support = s->basis->support;
     const solve_grid *g = &s->implicit->grid;
     int count[MESH_MAX_DIM] = {1, 1, 1}, n = 0;
-    for (int a = 0; a < dim; ++a) count[a] = support;
+    for (int a = 0; a < dim; ++a) count[a] = p->support < 0 ? support : 0;
     for (int k = 0; k < count[2]; ++k)
         for (int j = 0; j < count[1]; ++j)
             for (int i = 0; i < count[0]; ++i) {
@@ -119,5 +169,5 @@ int implicit_nodes(const mpm *s, const point_weights *p, weighted_node out[IMPLI
                     }
                 }
             }
-    return n;
+    return share_led_nodes(s, out, n);
 }

@@ -95,7 +95,7 @@ static void subtract_mean(mpm *s, int group, double share)
     if (s->basis->smoothness == 0)
         give_group(s, group, GIVE_RESIDUAL);
     else
-        project_residuals(s, group);
+        project_residuals(s, group, false);
     enter_mirrored_change(s, group, N_RESIDUAL, -share, true);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
         const fields *f = s->domain->fields[b];

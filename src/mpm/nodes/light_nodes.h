@@ -10,6 +10,6 @@ bool spares_light_nodes(const mpm *s);
 /* v^L and a of the nodes, such that it is so; after mpm_node_acceleration. */
 floe_status mpm_spare_light_nodes(mpm *s);
 /* The momenta that the points of a group return if they take its residuals with their gradients (restore.c). */
-void project_residuals(mpm *s, int group);
+void project_residuals(mpm *s, int group, bool velocities);
 
 #endif

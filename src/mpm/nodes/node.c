@@ -8,6 +8,7 @@
 #include "mpm/motion/motion.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/sides.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/nodes/wall.h"
 #include "mpm/transfer/scratch.h"
 
@@ -192,6 +193,7 @@ floe_status mpm_node_update(mpm *s)
         if (walls_let_go(s)) push_off_sides(s, g);
         for (int b = 0; b < s->mesh->n_blocks; ++b) advance_block(s, b, g);
         enter_losses(s, g);
+        enter_support_damping(s, g);
         impose_walls(s, g, N_VEL_L, 1.0);
     }
     motions_predict(s);
@@ -220,8 +222,10 @@ floe_status mpm_node_acceleration(mpm *s)
         impose_walls(s, g, N_VEL_L, 1.0); /* again: the exchange with the cells may have moved them */
         for (int b = 0; b < s->mesh->n_blocks; ++b) accelerate_block(s, b, g);
         still_walls(s, g);
+        still_supports(s, g);
         if (walls_are_stiff(s)) stiff_lightest(s, g);
         if (s->edges) TRY(edges_accelerate(s, g));
+        follow_masters(s, g);
         if (s->edges && s->scene->method.stress == STRESS_USL && !s->transfer->restore)
             TRY(edges_strain(s, g, N_VEL_L));
         enter_mirrors(s, g);

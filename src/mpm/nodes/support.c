@@ -1,97 +1,128 @@
-/* Supports: nodes inside a region whose velocity is prescribed, as walls prescribe it on the sides of the mesh. York's nets and pendulums are fixed at walls;
- * a support fixes bodies elsewhere. */
-#include "base/memory.h"
+/* Supports at the nodes: held ones have their velocity, led ones are linear between the surface and their masters (theory 4.13). What points give a led node
+ * acts on its master by the same share, as the principle of virtual work has it. */
+#include "mpm/nodes/node.h"
 #include "mpm/nodes/supports.h"
 
-#include <string.h>
+#include <math.h>
 
-typedef struct support_list {
-    support_node *node;
-    size_t n, capacity;
-} support_list;
+/* Where the values of a node are that the block which owns it has. */
+typedef struct node_place {
+    int block;
+    ptrdiff_t at;
+} node_place;
 
-static floe_status add_support_node(mpm *s, support_list *list, const int node[3], int support)
+static node_place owner_of(const mpm *s, const int node[MESH_MAX_DIM])
 {
-    if (list->n == list->capacity) {
-        list->capacity = list->capacity ? 2 * list->capacity : 64;
-        TRY(memory_resize(s->ctx, &list->node, list->capacity, sizeof *list->node));
-        s->supports->node = list->node;
-    }
-    support_node *to = &list->node[list->n++];
-    memcpy(to->node, node, sizeof to->node);
-    to->support = support;
-    return FLOE_OK;
-}
-
-static floe_status find_nodes(mpm *s, support_list *list, int support)
-{
-    const mesh *m = s->mesh;
-    int end[3] = {1, 1, 1};
-    for (int a = 0; a < m->dim; ++a) end[a] = m->n[a] + (m->periodic[a] ? 0 : 1);
-    for (int k = 0; k < end[2]; ++k)
-        for (int j = 0; j < end[1]; ++j)
-            for (int i = 0; i < end[0]; ++i) {
-                const int node[3] = {i, j, k};
-                double x[3] = {0.0};
-                for (int a = 0; a < m->dim; ++a) x[a] = mesh_node(m, a, node[a]);
-                if (shape_inside(&s->scene->support[support].region, m->dim, x))
-                    TRY(add_support_node(s, list, node, support));
-            }
-    return FLOE_OK;
-}
-
-floe_status start_supports(mpm *s)
-{
-    support_list list = {0};
-    for (int k = 0; k < s->scene->n_supports; ++k) {
-        const size_t before = list.n;
-        TRY(find_nodes(s, &list, k));
-        if (list.n == before)
-            return fail_key(
-                s->ctx, KEY("supports", s->scene->support[k].name),
-                "holds nothing: no node of the mesh lies in its region; make it larger, or the cells smaller");
-    }
-    s->supports->n = list.n;
-    return FLOE_OK;
-}
-
-/* A share of the impulse that a support is about to give, of the node's owner; `change`: the field is one, and is to be zero. */
-static void enter_support_impulse(mpm *s, const support_node *node, int group, field_id velocity, double share,
-                                  bool change)
-{
-    int cell[3];
-    for (int a = 0; a < 3; ++a)
-        cell[a] = node->node[a] == s->mesh->n[a] && a < s->mesh->dim ? node->node[a] - 1 : node->node[a];
+    int cell[MESH_MAX_DIM];
+    for (int a = 0; a < MESH_MAX_DIM; ++a)
+        cell[a] = a < s->mesh->dim && node[a] == s->mesh->n[a] ? node[a] - 1 : node[a];
     const int blk = mesh_block_of(s->mesh, cell);
     const block *b = &s->mesh->block[blk];
-    const ptrdiff_t at = mesh_index(b, node->node[0] - b->lo[0], node->node[1] - b->lo[1], node->node[2] - b->lo[2]);
-    const double mass = field_get(s->domain->fields[blk], N_MASS, group, 0)[at];
-    double x[MESH_MAX_DIM];
-    place_of_node(s->mesh, node->node, x);
-    for (int c = 0; c < s->mesh->dim; ++c) {
-        const double target = s->scene->support[node->support].velocity[c], wanted = change ? 0.0 : target;
-        const double impulse = share * mass * (wanted - field_get(s->domain->fields[blk], velocity, group, c)[at]);
-        ledger_push(s->ledger, LEDGER_BOUNDARY, c, impulse, x);
-        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, impulse * target);
+    return (node_place){blk, mesh_index(b, node[0] - b->lo[0], node[1] - b->lo[1], node[2] - b->lo[2])};
+}
+
+static double value_at(const mpm *s, node_place p, field_id field, int group, int c)
+{
+    return field_get(s->domain->fields[p.block], field, group, c)[p.at];
+}
+
+/* Replaces a value in all blocks that see the node, at periodic images too, or adds to it. */
+static void put_value(mpm *s, const int node[MESH_MAX_DIM], field_id field, int group, int c, double value, bool add)
+{
+    const mesh *m = s->mesh;
+    int images[MESH_MAX_DIM] = {0, 0, 0};
+    for (int a = 0; a < m->dim; ++a) images[a] = m->periodic[a] ? 1 : 0;
+    for (int blk = 0; blk < m->n_blocks; ++blk)
+        for (int z = -images[2]; z <= images[2]; ++z)
+            for (int y = -images[1]; y <= images[1]; ++y)
+                for (int x = -images[0]; x <= images[0]; ++x) {
+                    const block *b = &m->block[blk];
+                    const int period[MESH_MAX_DIM] = {x, y, z};
+                    int local[MESH_MAX_DIM];
+                    bool seen = true;
+                    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+                        local[a] = node[a] + period[a] * m->n[a] - b->lo[a];
+                        seen = seen && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
+                    }
+                    if (!seen) continue;
+                    double *to = &field_get(s->domain->fields[blk], field, group,
+                                            c)[mesh_index(b, local[0], local[1], local[2])];
+                    *to = add ? *to + value : value;
+                }
+}
+
+/* ---- masses, momenta and forces ---- */
+
+/* The share of a led node, less what is the support's own. */
+static void fold_component(mpm *s, const support_node *n, field_id field, int group, int c, double own)
+{
+    const double value = value_at(s, owner_of(s, n->node), field, group, c);
+    put_value(s, n->master, field, group, c, n->share * (value - own), true);
+}
+
+/* Momentum of a mass at a led node that does not depend on the master. */
+static double own_momentum(const mpm *s, const support_node *n, double mass, int c)
+{
+    return mass * (1.0 - n->share) * s->scene->support[n->support].velocity[c];
+}
+
+void fold_supports(mpm *s, int group, bool momentum, bool force)
+{
+    for (size_t k = 0; k < s->supports->n; ++k) {
+        const support_node *n = &s->supports->node[k];
+        if (!n->led) continue;
+        const double mass = value_at(s, owner_of(s, n->node), N_MASS, group, 0);
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            if (momentum) fold_component(s, n, N_MOMENTUM, group, c, own_momentum(s, n, mass, c));
+            if (force) fold_component(s, n, N_FORCE, group, c, 0.0);
+        }
+        if (momentum) put_value(s, n->master, N_MASS, group, 0, n->share * n->share * mass, true);
     }
+}
+
+void fold_supported_residuals(mpm *s, int group, bool velocities)
+{
+    for (size_t k = 0; k < s->supports->n; ++k) {
+        const support_node *n = &s->supports->node[k];
+        const double mass = velocities ? value_at(s, owner_of(s, n->node), N_MASS, group, 0) : 0.0;
+        for (int c = 0; n->led && c < s->mesh->dim; ++c)
+            fold_component(s, n, N_MOMENTUM, group, c, own_momentum(s, n, mass, c));
+    }
+}
+
+/* ---- velocities ---- */
+
+static double value_of(const mpm *s, const support_node *n, field_id field, int group, int c, bool change)
+{
+    const double v = change ? 0.0 : s->scene->support[n->support].velocity[c];
+    return n->led ? v + n->share * (value_at(s, owner_of(s, n->master), field, group, c) - v) : v;
+}
+
+static void push_support(mpm *s, const int node[MESH_MAX_DIM], int support, int c, double impulse)
+{
+    double x[MESH_MAX_DIM];
+    place_of_node(s->mesh, node, x);
+    ledger_push(s->ledger, LEDGER_BOUNDARY, c, impulse, x);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, impulse * s->scene->support[support].velocity[c]);
+}
+
+/* A share of the impulse that a support is about to give: the node's change, less what its master has of it. */
+static void enter_impulse(mpm *s, const support_node *n, int group, int c, double change, double share)
+{
+    const double impulse = share * value_at(s, owner_of(s, n->node), N_MASS, group, 0) * change;
+    push_support(s, n->node, n->support, c, impulse);
+    if (n->led) push_support(s, n->master, n->support, c, -n->share * impulse);
 }
 
 static void hold_nodes(mpm *s, int group, field_id field, double entered, bool change)
 {
     for (size_t k = 0; k < s->supports->n; ++k) {
-        const support_node *node = &s->supports->node[k];
-        if (entered != 0.0) enter_support_impulse(s, node, group, field, entered, change);
-        for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
-            const block *b = &s->mesh->block[blk];
-            int local[3];
-            bool in_block = true;
-            for (int a = 0; a < 3; ++a) {
-                local[a] = node->node[a] - b->lo[a];
-                in_block = in_block && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
-            }
-            for (int c = 0; in_block && c < s->mesh->dim; ++c)
-                field_get(s->domain->fields[blk], field, group, c)[mesh_index(b, local[0], local[1], local[2])] =
-                    change ? 0.0 : s->scene->support[node->support].velocity[c];
+        const support_node *n = &s->supports->node[k];
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const double value = value_of(s, n, field, group, c, change);
+            if (entered != 0.0)
+                enter_impulse(s, n, group, c, value - value_at(s, owner_of(s, n->node), field, group, c), entered);
+            put_value(s, n->node, field, group, c, value, false);
         }
     }
 }
@@ -106,8 +137,40 @@ void constrain_supports(mpm *s, int group, field_id change, double share)
     hold_nodes(s, group, change, share, true);
 }
 
-void supports_free(mpm *s)
+/* Damping took its share of what was given to the masters, too. */
+void enter_support_damping(mpm *s, int group)
 {
-    if (s->supports) memory_free(s->ctx, &s->supports->node);
-    memory_free(s->ctx, &s->supports);
+    const double taken = 1.0 - damping_left(s);
+    for (size_t k = 0; taken > 0.0 && k < s->supports->n; ++k) {
+        const support_node *n = &s->supports->node[k];
+        for (int c = 0; n->led && c < s->mesh->dim; ++c)
+            push_support(s, n->master, n->support, c,
+                         n->share * taken * value_at(s, owner_of(s, n->node), N_MOMENTUM, group, c));
+    }
+}
+
+void still_supports(mpm *s, int group)
+{
+    for (size_t k = 0; k < s->supports->n; ++k) {
+        const support_node *n = &s->supports->node[k];
+        for (int c = 0; n->led && c < s->mesh->dim; ++c) {
+            const double a = value_of(s, n, N_ACCEL, group, c, true);
+            enter_impulse(s, n, group, c, a - value_at(s, owner_of(s, n->node), N_ACCEL, group, c), s->share * s->kick);
+            put_value(s, n->node, N_ACCEL, group, c, a, false);
+        }
+    }
+}
+
+void follow_masters(mpm *s, int group)
+{
+    for (size_t k = 0; k < s->supports->n; ++k) {
+        const support_node *n = &s->supports->node[k];
+        for (int c = 0; n->led && c < s->mesh->dim; ++c) {
+            const double before = value_at(s, owner_of(s, n->node), N_VEL_L, group, c);
+            const double change = value_of(s, n, N_VEL_L, group, c, false) - before;
+            enter_impulse(s, n, group, c, change, 1.0);
+            put_value(s, n->node, N_VEL_L, group, c, change, true);
+            put_value(s, n->node, N_ACCEL, group, c, change / s->kick, true);
+        }
+    }
 }

@@ -1,25 +1,61 @@
-/* Supports: nodes inside a region whose velocity is prescribed (support.c). */
+/* Supports: regions that hold what lies in them (theory 4.13). */
 #ifndef MPM_SUPPORTS_H
 #define MPM_SUPPORTS_H
 
 #include "mpm/mpm.h"
 
-/* A node, by global index, that a support constrains. */
+/* How many nodes inside points outside reach. */
+enum { SUPPORT_STEPS = 2 };
+
+/* A node, by global index, that a support holds: it has the support's velocity V. Where a solid passes the surface of the region close by, it is led instead:
+ * its velocity is linear between the surface and a free node beyond, V + share (v_master - V), so that the solid is held at the surface itself. */
 typedef struct support_node {
     int node[MESH_MAX_DIM], support;
+    bool led;
+    int master[MESH_MAX_DIM], way[MESH_MAX_DIM]; /* of a led one: and how many nodes on, across periodic ends too */
+    int anchor[MESH_MAX_DIM];                    /* the node before the master */
+    double share,
+        per_step; /* its distance from the surface over that of the master, negative in the region; and the same of one step */
 } support_node;
 
 struct mpm_supports {
     support_node *node; /* owned */
-    size_t n;
+    size_t n, reserved;
 };
 
-/* Finds the nodes that they constrain. */
-floe_status start_supports(mpm *s);
+/* Finds the nodes that they hold or lead at the beginning (support_find.c). Errors: FLOE_NO_MEMORY; FLOE_BAD_INPUT where a support holds none. */
+floe_status supports_create(mpm *s);
+/* Takes the initial stress from the points that belong to supports. */
+void relieve_supported_points(mpm *s);
+/* Finds the nodes again in each step, if some support moves. */
+floe_status follow_supports(mpm *s);
 void supports_free(mpm *s);
-/* Sets their prescribed velocities; `entered` as impose_walls. */
+/* Whether supports lead nodes, and a body may be what passes their surfaces. */
+bool supports_lead(const mpm *s, int body);
+/* The entry of a node that some support holds or leads, or NULL. */
+const support_node *support_of(const mpm *s, const int node[MESH_MAX_DIM]);
+/* Whether the surface of a support passes a cell at the start. */
+bool supports_cut(const mpm *s, const int cell[MESH_MAX_DIM]);
+/* Whether a support has a velocity. */
+bool support_moves(const mpm *s, int support);
+/* By how many nodes the solver's matrix couples farther along each axis, because led nodes of a curved or oblique surface have masters in different rows. */
+int supports_widen(const mpm *s);
+/* The support to which a point of a body at x (m) belongs: it moves along and has no stress. -1: none. */
+int support_of_point(const mpm *s, int body, const double x[MESH_MAX_DIM]);
+
+/* Gives the masters what points gave led nodes: masses and momenta, forces (support.c). */
+void fold_supports(mpm *s, int group, bool momentum, bool force);
+/* The same of the momenta of residuals (transfer/restore.c), which the velocities themselves or changes of them have. */
+void fold_supported_residuals(mpm *s, int group, bool velocities);
+/* Sets the velocities of held and led nodes; `entered` as impose_walls. */
 void impose_supports(mpm *s, int group, field_id velocity, double entered);
-/* Removes a change of velocity from their nodes; `share` of that impulse is entered into the ledger. */
+/* The same of a change of velocity, which held nodes do not have; `share` of that impulse is entered into the ledger. */
 void constrain_supports(mpm *s, int group, field_id change, double share);
+/* Enters what damping has taken of momenta that masters were given. */
+void enter_support_damping(mpm *s, int group);
+/* Gives led nodes the acceleration of their masters: that their points had another velocity changes no velocity of a point, but PIC's share. */
+void still_supports(mpm *s, int group);
+/* Lets led nodes follow what has changed the velocities N_VEL_L and accelerations N_ACCEL of their masters. */
+void follow_masters(mpm *s, int group);
 
 #endif

@@ -153,7 +153,7 @@ void fold_linear(mpm *s, int group, field_id id, field_id gradient)
             }
 }
 
-void fold_walls(mpm *s, int group, bool momentum, bool force)
+static void fold_sides(mpm *s, int group, bool momentum, bool force)
 {
     if (s->windows->reach == 0) return;
     for (int b = 0; b < s->mesh->n_blocks; ++b)
@@ -161,6 +161,12 @@ void fold_walls(mpm *s, int group, bool momentum, bool force)
             for (int side = 0; side < 2; ++side)
                 if (s->mesh->block[b].at_side[axis][side] && !s->mesh->periodic[axis])
                     fold_side(s, b, axis, side, group, momentum, force);
+}
+
+void fold_walls(mpm *s, int group, bool momentum, bool force)
+{
+    fold_sides(s, group, momentum, force);
+    fold_supports(s, group, momentum, force);
 }
 
 /* Gives the ghost nodes the values that the fold implies. */

@@ -174,6 +174,8 @@ static floe_status seed_body(const mpm *s, int body, seed_list *list)
     const seed_spec spec = body_seed_spec(s->scene, s->mesh, b);
     if (b->membrane.present)
         TRY(seed_membrane(s, b, &spec, list));
+    else if (supports_lead(s, body))
+        TRY(seed_supported(s, body, &spec, list));
     else
         TRY(body_points(b, s->ctx, &spec, list));
     if (list->n > 0) return FLOE_OK;
@@ -211,7 +213,7 @@ floe_status mpm_seed(mpm *s)
     TRY(mpm_resort(s));
     TRY(start_membranes(s));
     motions_start(s);
-    TRY(start_supports(s));
+    relieve_supported_points(s);
     TRY(start_springs(s));
     return edges_start(s);
 }

@@ -18,6 +18,7 @@
 #include "mpm/motion/motion.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/light_nodes.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/nodes/wall.h"
 #include "mpm/transfer/kernels.h"
 #include "mpm/transfer/lanes.h"
@@ -55,8 +56,7 @@ static void project_tile(mpm *s, int group, int blk, int tile)
     s->windows->active[box.number] = any;
 }
 
-/* m P r. */
-void project_residuals(mpm *s, int group)
+void project_residuals(mpm *s, int group, bool velocities)
 {
     const mesh *m = s->mesh;
     visit_tiles(s, group, project_tile);
@@ -69,6 +69,7 @@ void project_residuals(mpm *s, int group)
     }
     domain_fold_periodic(s->domain, N_MOMENTUM, group);
     if (s->windows->reach > 0) fold_field(s, group, N_MOMENTUM);
+    fold_supported_residuals(s, group, velocities);
 }
 
 /* r -= P r. */
@@ -117,11 +118,11 @@ static void add_residuals(mpm *s, int group, double share)
     }
 }
 
-/* The next residual from the last, on all nodes that points reach; `share` of what walls take of it goes into the ledger. */
-static void next_residuals(mpm *s, double share)
+/* The next residual from the last, of which the first are the velocities, on all nodes that points reach; `share` of what walls take of it goes into the ledger. */
+static void next_residuals(mpm *s, double share, bool velocities)
 {
     for (int g = 0; g < s->n_deforming_groups; ++g) {
-        project_residuals(s, g);
+        project_residuals(s, g, velocities);
         enter_mirrored_change(s, g, N_RESIDUAL, -share, true);
         subtract_projection(s, g);
         constrain_change(s, g, N_RESIDUAL, share);
@@ -140,7 +141,7 @@ static void restore_accelerations(mpm *s)
     for (int g = 0; g < s->n_deforming_groups; ++g) start_velocity_residuals(s, g);
     for (int j = 1; j < s->order; ++j) {
         const double share = share_of_residual(s, j);
-        next_residuals(s, share);
+        next_residuals(s, share, j == 1);
         for (int g = 0; g < s->n_deforming_groups; ++g) add_residuals(s, g, share);
     }
 }

@@ -1,0 +1,184 @@
+/* Supports that solids pass between nodes (theory 4.13): a cantilever under its weight and let go from straight, a bar drawn by two grips, one that a grip carries
+ * along, one that hangs in space from an oblique surface. References: Timoshenko's beam; sigma = E u/l; a rigid motion; rho g l^2/(2 E). */
+#include "deck_run_fixture.h"
+
+#include "grid/ledger.h"
+#include "sim/tracer.h"
+
+static const double pi = 3.14159265358979323846;
+
+static double worst_momentum(const sim *s)
+{
+    double worst = 0.0;
+    for (int q = LEDGER_MOMENTUM_X; q <= LEDGER_MOMENTUM_Z; ++q)
+        worst = fmax(worst, fabs(ledger_largest_drift(&s->ledger, (ledger_quantity)q)));
+    return worst;
+}
+
+static double tip_of(bench *t, int axis)
+{
+    tracer_value value[SCENE_MAX_TRACERS];
+    tracers_read(t->sim, value);
+    return value[0].displacement[axis];
+}
+
+/* ---- a cantilever of length 1 m and 0.1 m height, E = 1 MPa, nu = 0; `off`: of the nodes from the surface, in cells ---- */
+
+static void write_cantilever(char text[2000], double h, double off, const char *time)
+{
+    (void)snprintf(text, 2000,
+                   "floe: 1\n"
+                   "title: cantilever\n"
+                   "coupling: mpm\n"
+                   "domain: {dim: 2, lower: [%.17g, -0.2], upper: [%.17g, 0.2], cell: %.17g}\n"
+                   "boundaries: free\n"
+                   "materials: {rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1 MPa / 3, shear_modulus: "
+                   "0.5 MPa}}}}\n"
+                   "bodies: {beam: {material: rubber, shape: {box: {lower: [-0.15, -0.05], upper: [1, 0.05]}}}}\n"
+                   "supports: {wall: {region: {box: {lower: [-9, -9], upper: [0, 9]}}}}\n"
+                   "loads: {weight: {gravity: {acceleration: [0, -0.0066666666666666667]}}}\n"
+                   "time: {%s}\n"
+                   "output: {interval: 1 s, tracers: {tip: {body: beam, position: [1, 0]}}}\n",
+                   (off - 4.0) * h, (off - 4.0) * h + 1.4, h, time);
+}
+
+/* 1e-3 m by bending, and what shear adds. */
+static double beam_deflection(void)
+{
+    const double bending = 1.0 / (8.0 * 1e6 * 0.001 / 12.0), shear = 1.0 / (2.0 * 5.0 / 6.0 * 0.5e6 * 0.1);
+    return 1e-3 * (1.0 + shear / bending);
+}
+
+static void test_cantilever_at_rest(void **unused)
+{
+    (void)unused;
+    static const double cell[2] = {0.05, 0.025}, allowed[2] = {0.028, 0.0074};
+    for (int k = 0; k < 2; ++k)
+        for (int n = 0; n < 5; ++n) {
+            char text[2000];
+            bench t;
+            write_cantilever(text, cell[k], 0.2 * n, "end: 1 s, solver: static, increments: 1");
+            begin(&t, text, NULL, 0);
+            run_until(&t, 1.0);
+            const double ratio = -tip_of(&t, 1) / beam_deflection();
+            print_message("%g cells long, surface %g of a cell from a node: %.4f of the deflection\n", 1.0 / cell[k],
+                          0.2 * n, ratio);
+            check_close(ratio, 1.0, allowed[k]);
+            end(&t);
+        }
+}
+
+/* It swings to twice its deflection in half a period, 3.516^2 = rho A l^4 omega^2/(E I), and back. */
+static void test_cantilever_swings(void **unused)
+{
+    (void)unused;
+    static const char *const solver[2] = {"dynamic", "implicit, increments: 80"};
+    const double half = pi / (3.516 * sqrt(1e6 * 0.01 / 12.0 / 1000.0));
+    for (int k = 0; k < 2; ++k) {
+        char text[2000], time[80];
+        bench t;
+        (void)snprintf(time, sizeof time, "end: %.17g, solver: %s", half, solver[k]);
+        write_cantilever(text, 0.05, 0.3, time);
+        begin(&t, text, NULL, 0);
+        run_until(&t, half);
+        const double ratio = -tip_of(&t, 1) / beam_deflection(), drift = worst_momentum(t.sim);
+        print_message("%s: after half a period %.4f of the deflection at rest, momentum drifts by %.1e\n", solver[k],
+                      ratio, drift);
+        check_close(ratio, 2.0, 0.019);
+        check_true(drift < 1e-12);
+        end(&t);
+    }
+}
+
+static void test_drawn_by_grips(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "floe: 1\n"
+        "title: bar drawn by its grips\n"
+        "coupling: mpm\n"
+        "domain: {dim: 2, lower: [0, 0], upper: [4, 1], cell: 0.1 m}\n"
+        "boundaries: free\n"
+        "materials: {rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1 MPa / 3, shear_modulus: 0.5 "
+        "MPa}}}}\n"
+        "bodies: {bar: {material: rubber, shape: {box: {lower: [0.33, 0.4], upper: [2.5, 0.6]}}}}\n"
+        "supports:\n"
+        "  grip: {region: {box: {lower: [0, 0], upper: [0.57, 1]}}}\n"
+        "  hand: {region: {box: {lower: [2.23, 0], upper: [4, 1]}}, velocity: [0.001, 0]}\n"
+        "time: {end: 1 s, solver: static, increments: 2}\n"
+        "output: {interval: 1 s, tracers: {middle: {body: bar, position: [1.4, 0.5]}}}\n";
+    bench t;
+    begin(&t, text, NULL, 0);
+    run_until(&t, 1.0);
+    tracer_value value[SCENE_MAX_TRACERS];
+    tracers_read(t.sim, value);
+    print_message("bar drawn by 1 mm over 1.66 m: stress %.2f Pa\n", value[0].stress[0]);
+    check_close_relative(value[0].stress[0], 1e6 * 0.001 / 1.66, 6e-4);
+    end(&t);
+}
+
+/* A grip that moves carries its bar along without straining it, across nodes. */
+static void test_carried_by_grip(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "floe: 1\n"
+        "title: bar that its grip carries along\n"
+        "coupling: mpm\n"
+        "domain: {dim: 2, lower: [0, 0], upper: [4, 1], cell: 0.1 m}\n"
+        "boundaries: free\n"
+        "materials: {rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1 MPa / 3, shear_modulus: 0.5 "
+        "MPa}}}}\n"
+        "bodies: {bar: {material: rubber, velocity: [2, 0.3], shape: {box: {lower: [0.33, 0.4], upper: [1.5, 0.6]}}}}\n"
+        "supports: {grip: {region: {box: {lower: [0, 0], upper: [0.57, 1]}}, velocity: [2, 0.3]}}\n"
+        "time: {end: 0.2 s, solver: dynamic}\n"
+        "output: {interval: 0.1 s}\n";
+    static const char *const set[2] = {"time.solver=implicit", "time.increments=40"};
+    for (size_t k = 0; k < 2; ++k) {
+        bench t;
+        begin(&t, text, set, 2 * k);
+        run_until(&t, 0.2);
+        sim_totals now;
+        check_ok(t.ctx, sim_sum(t.sim, &now));
+        print_message("%s: strain energy %.1e J of %.0f J of motion\n", k ? "implicit" : "explicit", now.strain,
+                      now.kinetic);
+        check_true(now.strain < 1e-20);
+        check_true(worst_momentum(t.sim) < 1e-12);
+        end(&t);
+    }
+}
+
+static void test_hangs_in_space(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "floe: 1\n"
+        "title: bar that hangs from an oblique ceiling\n"
+        "coupling: mpm\n"
+        "domain: {dim: 3, lower: [0, 0, 0], upper: [1, 1, 2], cell: 0.1 m}\n"
+        "boundaries: free\n"
+        "materials: {rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1 MPa / 3, shear_modulus: 0.5 "
+        "MPa}}}}\n"
+        "bodies: {bar: {material: rubber, shape: {box: {lower: [0.3, 0.3, 0.37], upper: [0.7, 0.7, 1.9]}}}}\n"
+        "supports: {ceiling: {region: {halfspace: {point: [0.5, 0.5, 1.53], normal: [-0.1, -0.05, -1]}}}}\n"
+        "loads: {weight: {gravity: {acceleration: [0, 0, -1]}}}\n"
+        "time: {end: 1 s, solver: static, increments: 1}\n"
+        "output: {interval: 1 s, tracers: {tip: {body: bar, position: [0.5, 0.5, 0.37]}}}\n";
+    bench t;
+    begin(&t, text, NULL, 0);
+    run_until(&t, 1.0);
+    const double exact = 1000.0 * 1.16 * 1.16 / 2e6, ratio = -tip_of(&t, 2) / exact;
+    print_message("bar in space: %.4f of its way down\n", ratio);
+    check_close(ratio, 1.0, 0.0044);
+    end(&t);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_cantilever_at_rest), cmocka_unit_test(test_cantilever_swings),
+        cmocka_unit_test(test_drawn_by_grips),     cmocka_unit_test(test_carried_by_grip),
+        cmocka_unit_test(test_hangs_in_space),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
