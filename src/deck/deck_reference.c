@@ -119,6 +119,13 @@ static void print_params(page *p, const model_entry *entry, const model_family *
         if (!key.required) key.fallback = fallback;
         print_row(p, &key);
     }
+    const key_spec *young;
+    for (size_t i = 0; (young = young_key(entry, i)); i++) {
+        key_spec key = *young;
+        key.required = false;
+        key.otherwise = "by the moduli";
+        print_row(p, &key);
+    }
 }
 
 static void print_family(page *p, const char *title, const model_family *family)

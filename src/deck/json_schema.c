@@ -89,6 +89,9 @@ static void add_model(schema_writer *j, json_t *any, const model_entry *entry, c
         const key_spec key = key_of_param(entry, i, family);
         add_key_members(j, new_object(j, properties, key.key), &key);
     }
+    const key_spec *young;
+    for (size_t i = 0; (young = young_key(entry, i)); i++)
+        add_key_members(j, new_object(j, properties, young->key), young);
 }
 
 static void add_family_members(schema_writer *j, json_t *out, const model_family *family)

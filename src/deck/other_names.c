@@ -10,9 +10,6 @@ typedef struct foreign_name {
     const char *remedy; /* where the name alone is not enough */
 } foreign_name;
 
-#define MODULI                                                                                                    \
-    "K = E / (3 * (1 - 2 * nu)), G = E / (2 * (1 + nu)): `constants: {E: 200 GPa, nu: 0.3}`, and these formulas " \
-    "are values"
 #define FROM_GAS_CONSTANT "the specific heat at constant volume is R / (gamma - 1)"
 
 /* Several of ours for one of theirs: the first that can stand there is meant. */
@@ -66,13 +63,11 @@ static const foreign_name foreign[] = {
     {"perfect_gas", "ideal", NULL},
     {"stiff_gas", "stiffened", NULL},
     /* keys of these */
-    {"E", "bulk_modulus", MODULI},
-    {"nu", "shear_modulus", MODULI},
-    {"poisson", "shear_modulus", MODULI},
-    {"poisson_ratio", "shear_modulus", MODULI},
-    {"poissons_ratio", "shear_modulus", MODULI},
-    {"young_modulus", "bulk_modulus", MODULI},
-    {"youngs_modulus", "bulk_modulus", MODULI},
+    {"E", "young_modulus", NULL},
+    {"nu", "poisson_ratio", NULL},
+    {"poisson", "poisson_ratio", NULL},
+    {"poissons_ratio", "poisson_ratio", NULL},
+    {"youngs_modulus", "young_modulus", NULL},
     {"K", "bulk_modulus", NULL},
     {"G", "shear_modulus", NULL},
     {"mu", "shear_modulus", NULL},

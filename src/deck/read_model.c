@@ -67,7 +67,9 @@ static bool find_entry(reader *r, const model_family *family, const char *name, 
 static const char *param_name(const void *user, size_t i)
 {
     const model_entry *entry = user;
-    return i < entry->n_params ? entry->params[i].key : NULL;
+    if (i < entry->n_params) return entry->params[i].key;
+    const key_spec *young = young_key(entry, i - entry->n_params);
+    return young ? young->key : NULL;
 }
 
 static bool has_param(const model_entry *entry, const char *name)
@@ -85,7 +87,7 @@ static floe_status check_params(reader *r, const model_entry *entry, deck_node *
         if (first != child) {
             TRY(bad_key(r, child, NULL, "remove one of the two", "duplicate key '%.80s' (first at line %d, column %d)",
                         child->key, first->key_at.line, first->key_at.column));
-        } else if (!has_param(entry, child->key)) {
+        } else if (!has_param(entry, child->key) && !is_young_key(entry, child->key)) {
             TRY(bad_unknown_key(r, child, param_name, entry));
         }
     }
@@ -167,8 +169,11 @@ static floe_status read_params(reader *r, const model_family *family, const mode
     if (errors != r->errors->count) return FLOE_OK;
     TRY(scene_allocate(r->scene, &par, entry->param_size > 0 ? entry->param_size : 1));
     if (map && !stands_alone(entry)) TRY(check_params(r, entry, map));
+    const bool by_young = gives_young(entry, map);
+    if (by_young) TRY(read_young(r, entry, map, par));
     for (size_t i = 0; i < entry->n_params; i++) {
         const key_spec key = key_of_param(entry, i, family);
+        if (by_young && is_modulus(key.key)) continue;
         TRY(stands_alone(entry) ? read_alone(r, &key, named, par)
                                 : read_param(r, &key, &entry->params[i], map, named, par));
     }

@@ -127,6 +127,19 @@ static const char small[] = "floe: 1\n"
                             "bodies: {b: {material: m, shape: {box: {lower: 0, upper: 1}}}}\n"
                             "time: {end: 1}\n";
 
+static void moduli_by_young(void **state)
+{
+    fixture *f = *state;
+    char text[sizeof small + 40];
+    const char *at = strstr(small, "bulk_modulus");
+    (void)snprintf(text, sizeof text, "%.*syoung_modulus: 210 GPa, poisson_ratio: 0.3%s", (int)(at - small), small,
+                   strchr(at, '}'));
+    scene *s = load_text(f, text);
+    check_close_relative(s->material[0].law->bulk_modulus(s->material[0].law_par), 175e9, 1e-14);
+    check_close_relative(s->material[0].law->shear_modulus(s->material[0].law_par), 210e9 / 2.6, 1e-14);
+    scene_destroy(&s);
+}
+
 /* The schema's defaults are those of scene_create: a program that fills a scene by hand gets the same. */
 static void defaults_agree_with_scene_create(void **state)
 {
@@ -540,6 +553,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(cylinder_has_its_values, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(moduli_by_young, set_up, tear_down),
         cmocka_unit_test_setup_teardown(defaults_agree_with_scene_create, set_up, tear_down),
         cmocka_unit_test_setup_teardown(units_are_converted, set_up, tear_down),
         cmocka_unit_test_setup_teardown(density_and_temperature_give_the_pressure, set_up, tear_down),

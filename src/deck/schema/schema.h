@@ -211,6 +211,16 @@ floe_status read_formula(reader *r, const key_spec *key, const deck_node *node, 
                          char why[EXPRESSION_WHY]);
 /* One parameter of a model as a key. A parameter without a name of its own has the model's. */
 key_spec key_of_param(const model_entry *entry, size_t i, const model_family *family);
+
+/* Young's modulus and Poisson's ratio, which models that take a bulk and a shear modulus take in their place (young.c): the i-th key, NULL at the end and of
+ * other models. */
+const key_spec *young_key(const model_entry *entry, size_t i);
+bool is_young_key(const model_entry *entry, const char *name);
+/* Whether a name is one of the two moduli. */
+bool is_modulus(const char *name);
+/* Whether a map gives some of them (map: may be NULL), and reads them into the moduli of the parameters. */
+bool gives_young(const model_entry *entry, deck_node *map);
+floe_status read_young(reader *r, const model_entry *entry, deck_node *map, void *par);
 /* Whether the model is written as the value of its only parameter. */
 bool stands_alone(const model_entry *entry);
 /* A position as a list of numbers. */
