@@ -117,7 +117,7 @@ static floe_status rest_column(const ice *s, const double *given, int cell[MESH_
 {
     const int n = s->mesh->n[axis];
     const double weight = 0.5 * fabs(ice_weight_along(s, axis)) * s->mesh->h[axis];
-    const bool leans = ice_may_trace(s) && !s->implicit && ice_traces_shared(s, &s->region[0]);
+    const bool leans = ice_bears_unevenly(s, &s->region[0]);
     read_column(s, given, cell, axis, column);
     if (leans) find_leans(column, n);
     TRY(descend(s, column, n, weight, top_is_set));

@@ -20,10 +20,10 @@ FLOE_ALWAYS_INLINE double ice_lean_at(const double *restrict rho, ptrdiff_t at, 
     return ice_lean(rho[at - step], rho[at], rho[at + step]);
 }
 
-/* kg/m3: twice the mass between the centres of a cell and the next one up, over a cell's volume. */
-FLOE_ALWAYS_INLINE double ice_mass_to_next(const double *restrict rho, ptrdiff_t at, ptrdiff_t step)
+/* kg/m3: twice the mass between the centres of a cell and the next one up, over a cell's volume. uneven: 1; 0: as if it were even in both. */
+FLOE_ALWAYS_INLINE double ice_mass_to_next(const double *restrict rho, ptrdiff_t at, ptrdiff_t step, double uneven)
 {
-    return rho[at] + rho[at + step] + 2.0 * (ice_lean_at(rho, at + step, step) - ice_lean_at(rho, at, step));
+    return rho[at] + rho[at + step] + 2.0 * uneven * (ice_lean_at(rho, at + step, step) - ice_lean_at(rho, at, step));
 }
 
 #endif

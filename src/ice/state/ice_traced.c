@@ -28,6 +28,11 @@ bool ice_traces_shared(const ice *s, const ice_region *g)
     return true;
 }
 
+bool ice_bears_unevenly(const ice *s, const ice_region *g)
+{
+    return ice_is_traced(s, g) && !s->cut && ice_traces_shared(s, g);
+}
+
 bool ice_is_traced(const ice *s, const ice_region *g)
 {
     (void)g;

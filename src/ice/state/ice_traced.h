@@ -11,6 +11,8 @@ bool ice_is_traced(const ice *s, const ice_region *g);
 bool ice_traces_in_part(const ice *s);
 /* Whether the fluids of a region move as one wherever they share cells, which are then traced too; else one is to be alone within two cells. */
 bool ice_traces_shared(const ice *s, const ice_region *g);
+/* Whether cells at interfaces bear their weight where it lies (ice_lean.h). Not beside boundaries that cut cells, about which faces of 2.2 bear it evenly. */
+bool ice_bears_unevenly(const ice *s, const ice_region *g);
 /* C_ALONE of a region, with a layer of ghosts. Reads ghosts of the state, and of C_OPEN. */
 void ice_find_alone(const ice *s, const ice_region *g);
 

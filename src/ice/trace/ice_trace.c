@@ -77,6 +77,7 @@ static void trace_block_faces(const ice *s, const ice_region *g, const ice_view 
         const ice_span slabs = ice_chunk_of(s, b, c, chunks);
         const trace_job job = {.v = v,
                                .shares = shares,
+                               .uneven = ice_bears_unevenly(s, g) ? 1.0 : 0.0,
                                .first = slabs.first,
                                .last = slabs.end,
                                .end = c == chunks - 1,
@@ -101,18 +102,18 @@ static void find_warming(const ice *s, const ice_region *g)
 }
 
 /* Weight (Pa) by which the column in a layer of cells beyond a wall exceeds its mirror image: from the image down to the wall's cell, and beyond that. */
-static double weight_beyond(const double *rho, ptrdiff_t at, ptrdiff_t out, int layer, double half)
+static double weight_beyond(const double *rho, ptrdiff_t at, ptrdiff_t out, int layer, double half, double uneven)
 {
     double weight = half * (rho[at - (layer - 1) * out] + rho[at - layer * out]);
     for (int n = 0; n < layer - 1; ++n) {
         const ptrdiff_t image = at - (2 * layer - 1 - n) * out; /* has all neighbours */
-        weight += 2.0 * half * ice_mass_to_next(rho, image, out);
+        weight += 2.0 * half * ice_mass_to_next(rho, image, out, uneven);
     }
     return weight;
 }
 
 /* Beyond a wall the pressure less that of a column at rest is mirrored, and the column goes on. */
-static void continue_column(const ice *s, const ice_view *v, int axis, mesh_side side)
+static void continue_column(const ice *s, const ice_view *v, int axis, mesh_side side, double uneven)
 {
     const ptrdiff_t out = side == SIDE_LOWER ? -v->b->stride[axis] : v->b->stride[axis];
     const double half = (side == SIDE_LOWER ? -0.5 : 0.5) * v->gravity[axis] * v->h[axis], *rho = v->rho_sum;
@@ -124,27 +125,28 @@ static void continue_column(const ice *s, const ice_view *v, int axis, mesh_side
                 for (int i = lo[0]; i < hi[0]; ++i) {
                     const ptrdiff_t at = mesh_index(v->b, i, j, k);
                     if (ice_is_wall(ice_condition_at(s, v->b, axis, side, i, j, k)->kind))
-                        v->p[at] += weight_beyond(rho, at, out, layer, half);
+                        v->p[at] += weight_beyond(rho, at, out, layer, half, uneven);
                 }
     }
 }
 
-static void continue_columns(const ice *s, const ice_view *v)
+static void continue_columns(const ice *s, const ice_view *v, double uneven)
 {
     for (int axis = 0; axis < v->dim; ++axis)
         for (int side = 0; side < 2; ++side)
             if (v->gravity[axis] != 0.0 && v->b->at_side[axis][side] && !s->mesh->periodic[axis] &&
                 ice_side_has(s, axis, (mesh_side)side, ice_is_wall))
-                continue_column(s, v, axis, (mesh_side)side);
+                continue_column(s, v, axis, (mesh_side)side, uneven);
 }
 
 void ice_trace_faces(const ice *s, const ice_region *g)
 {
+    const double uneven = ice_bears_unevenly(s, g) ? 1.0 : 0.0;
     ice_view v;
     if (ice_diffuses(s)) find_warming(s, g);
     for (int r = g->first; s->cut && r < g->first + g->n; ++r) ice_fill_ghosts(s, C_OPEN, r, FILL_CURRENT, GHOST_EVEN);
     if (ice_traces_in_part(s)) ice_find_alone(s, g);
-    for (int id = 0; ice_next_view(s, g, &id, &v);) continue_columns(s, &v);
+    for (int id = 0; ice_next_view(s, g, &id, &v);) continue_columns(s, &v, uneven);
     for (int id = 0; ice_next_view(s, g, &id, &v);) ice_run_cells(&v, 0, slow_shock_row);
     ice_fill_ghosts(s, C_SLOW_SHOCK, g->number, FILL_CURRENT, GHOST_EVEN);
     for (int id = 0; ice_next_view(s, g, &id, &v);) trace_block_faces(s, g, &v);

@@ -21,6 +21,7 @@ typedef struct trace_block {
     ptrdiff_t stride[3];
     double courant[3], weight[3]; /* dt/h; m2/s2: of a cell's height */
     double dt, floor;
+    double uneven; /* trace_job */
     bool radial;
 } trace_block;
 
@@ -87,8 +88,9 @@ typedef struct lean_three {
 FLOE_ALWAYS_INLINE lean_three leans_of(const trace_block *b, ptrdiff_t at, ptrdiff_t step, const trace_kind kind)
 {
     if (kind == TRACE_ONE) return (lean_three){0.0, 0.0, 0.0};
-    return (lean_three){2.0 * ice_lean_at(b->rho, at - step, step), 2.0 * ice_lean_at(b->rho, at, step),
-                        2.0 * ice_lean_at(b->rho, at + step, step)};
+    const double twice = 2.0 * b->uneven;
+    return (lean_three){twice * ice_lean_at(b->rho, at - step, step), twice * ice_lean_at(b->rho, at, step),
+                        twice * ice_lean_at(b->rho, at + step, step)};
 }
 
 /* Pressure less that of a column at rest in which the middle cell has its own (theory 2.4): p_j = p_j-1 + g h (rho_j-1 + rho_j)/2. */
@@ -359,7 +361,8 @@ FLOE_ALWAYS_INLINE void trace_cell(const trace_block *b, const trace_row *w, int
     half_step d = changes_across(b, w, &m, axis, at, i, dim, diffuses);
     /* Of half the cell, and what its lower half has beyond that; and as the column passes by. */
     const double weight = 0.5 * b->weight[axis] * m.all,
-                 lean = kind == TRACE_ONE ? 0.0 : b->weight[axis] * ice_lean_at(b->rho, at, b->stride[axis]);
+                 lean =
+                     kind == TRACE_ONE ? 0.0 : b->uneven * b->weight[axis] * ice_lean_at(b->rho, at, b->stride[axis]);
     d.p -= 0.5 * k * u * b->weight[axis] * m.all;
     put_state(b, &m, axis, at, t, lower, -weight - lean, &d, w->below, dim);
     put_state(b, &m, axis, at, t, upper, weight - lean, &d, above, dim);

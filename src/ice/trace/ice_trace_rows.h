@@ -53,8 +53,9 @@ typedef struct trace_store {
 /* Sweeps slabs [first, last) of a block, layers of cells across its slowest axis, and finds their lower faces; and the last upper ones where `end`. */
 typedef struct trace_job {
     const ice_view *v;
-    int fluid;   /* of a region of one */
-    bool shares; /* cells of several fluids are traced too */
+    int fluid;     /* of a region of one */
+    bool shares;   /* cells of several fluids are traced too */
+    double uneven; /* 1: cells bear weight where it lies in them (ice_lean.h); 0: evenly */
     int first, last;
     bool end;
     double *buffer;

@@ -258,6 +258,7 @@ FLOE_ALWAYS_INLINE void sweep_block(const trace_job *job, const int dim, const b
     trace_blocks blocks;
     do { /* there is one fluid at least */
         blocks.of[r] = trace_block_of(v, r, several && job->shares, dim);
+        blocks.of[r].uneven = job->uneven;
     } while (++r < end);
     for (int slab = dim > 1 ? job->first - 1 : 0; slab <= (dim > 1 ? job->last : 0); ++slab) {
         if (dim > 1 && slab == job->last && !job->end) break;

@@ -197,10 +197,11 @@ static const support_node *nearest_led(const support_node *const at[EDGE_TAPS], 
 
 /* Taps that a support leads along the line are their masters, with a share of the weight, and so are those held behind them: the motion of the solid goes on to
  * there. False where it leads them along another axis, in which they are linear as their masters are, or moves. */
-static bool fold_led_taps(const mpm *s, int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l)
+static bool fold_led_taps(const mpm *s, int group, int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l)
 {
     const support_node *at[EDGE_TAPS] = {NULL};
-    for (int t = 0; t < edge_taps(s); ++t) at[t] = support_of(s, tap[t]);
+    const bool leads = supports_lead_group(s, group);
+    for (int t = 0; leads && t < edge_taps(s); ++t) at[t] = support_of(s, tap[t]);
     for (int t = 0; t < edge_taps(s); ++t) {
         int steps;
         const support_node *led = at[t] ? nearest_led(at, edge_taps(s), t, &steps) : NULL;
@@ -224,7 +225,7 @@ static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_M
     edge_line l = {.axis = axis, .slot = place * (size_t)s->mesh->dim};
     if (body < 0 || !edge_find_taps(s, group, first, tap, &l)) return FLOE_OK;
     l.stiffness = e->penalty * penalty_modulus_of(s, body) * line_extent(s, axis, tap);
-    if (!fold_led_taps(s, tap, &l)) return FLOE_OK;
+    if (!fold_led_taps(s, group, tap, &l)) return FLOE_OK;
     l.most = longest_of(s, body, axis);
     l.inertia = l.stiffness * s->mesh->h[axis] * s->mesh->h[axis] / (g->speed * g->speed);
     for (int t = 0; t < edge_taps(s); ++t) TRY(list_edge_node(s, group, body, tap[t], &l.node[t]));

@@ -28,7 +28,7 @@ void implicit_constrain(mpm *s)
     motions_visit_ties(s, constrain_component, s);
     if (!w->led) return;
     memset(w->led, 0, w->grid.size * sizeof *w->led);
-    for (size_t k = 0; k < s->supports->n; ++k) {
+    for (size_t k = 0; k < s->supports->n && supports_lead_group(s, 0); ++k) {
         const int *node = s->supports->node[k].node;
         if (s->supports->node[k].led) w->led[solve_index(&w->grid, node[0], node[1], node[2])] = 1 + (int)k;
     }

@@ -68,7 +68,7 @@ static double own_momentum(const mpm *s, const support_node *n, double mass, int
 
 void fold_supports(mpm *s, int group, bool momentum, bool force)
 {
-    for (size_t k = 0; k < s->supports->n; ++k) {
+    for (size_t k = 0; k < s->supports->n && supports_lead_group(s, group); ++k) {
         const support_node *n = &s->supports->node[k];
         if (!n->led) continue;
         const double mass = value_at(s, owner_of(s, n->node), N_MASS, group, 0);
@@ -82,7 +82,7 @@ void fold_supports(mpm *s, int group, bool momentum, bool force)
 
 void fold_supported_residuals(mpm *s, int group, bool velocities)
 {
-    for (size_t k = 0; k < s->supports->n; ++k) {
+    for (size_t k = 0; k < s->supports->n && supports_lead_group(s, group); ++k) {
         const support_node *n = &s->supports->node[k];
         const double mass = velocities ? value_at(s, owner_of(s, n->node), N_MASS, group, 0) : 0.0;
         for (int c = 0; n->led && c < s->mesh->dim; ++c)
@@ -116,8 +116,12 @@ static void enter_impulse(mpm *s, const support_node *n, int group, int c, doubl
 
 static void hold_nodes(mpm *s, int group, field_id field, double entered, bool change)
 {
+    const bool leads = supports_lead_group(s, group);
     for (size_t k = 0; k < s->supports->n; ++k) {
-        const support_node *n = &s->supports->node[k];
+        support_node own = s->supports->node[k];
+        const support_node *n = &own;
+        if (!leads && !n->inside) continue;
+        own.led = leads && own.led;
         for (int c = 0; c < s->mesh->dim; ++c) {
             const double value = value_of(s, n, field, group, c, change);
             if (entered != 0.0)
@@ -141,7 +145,7 @@ void constrain_supports(mpm *s, int group, field_id change, double share)
 void enter_support_damping(mpm *s, int group)
 {
     const double taken = 1.0 - damping_left(s);
-    for (size_t k = 0; taken > 0.0 && k < s->supports->n; ++k) {
+    for (size_t k = 0; taken > 0.0 && k < s->supports->n && supports_lead_group(s, group); ++k) {
         const support_node *n = &s->supports->node[k];
         for (int c = 0; n->led && c < s->mesh->dim; ++c)
             push_support(s, n->master, n->support, c,
@@ -151,7 +155,7 @@ void enter_support_damping(mpm *s, int group)
 
 void still_supports(mpm *s, int group)
 {
-    for (size_t k = 0; k < s->supports->n; ++k) {
+    for (size_t k = 0; k < s->supports->n && supports_lead_group(s, group); ++k) {
         const support_node *n = &s->supports->node[k];
         for (int c = 0; n->led && c < s->mesh->dim; ++c) {
             const double a = value_of(s, n, N_ACCEL, group, c, true);
@@ -163,7 +167,7 @@ void still_supports(mpm *s, int group)
 
 void follow_masters(mpm *s, int group)
 {
-    for (size_t k = 0; k < s->supports->n; ++k) {
+    for (size_t k = 0; k < s->supports->n && supports_lead_group(s, group); ++k) {
         const support_node *n = &s->supports->node[k];
         for (int c = 0; n->led && c < s->mesh->dim; ++c) {
             const double before = value_at(s, owner_of(s, n->node), N_VEL_L, group, c);

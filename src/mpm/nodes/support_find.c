@@ -31,10 +31,20 @@ static int region_with(const mpm *s, const double x[MESH_MAX_DIM])
     return -1;
 }
 
+/* Fluids are not to be led; nor bodies that share changes of volume over patches of cells (theory 4.16), which would mix those of points on both sides. */
+bool supports_lead_group(const mpm *s, int group)
+{
+    bool all = s->cells != CELLS_SMEARED;
+    for (int body = 0; body < s->n_bodies; ++body)
+        all = all && (s->body[body].group != group || !(s->body[body].fluid || s->body[body].mean_strain));
+    return all;
+}
+
 /* Bodies that can be led to a surface: a membrane or a fluid has none that a region cuts. */
 static bool is_led_body(const mpm *s, int body)
 {
-    return body < s->n_deforming && !s->body[body].fluid && !s->body[body].membrane.model;
+    return body < s->n_deforming && !s->body[body].fluid && !s->body[body].membrane.model &&
+           supports_lead_group(s, s->body[body].group);
 }
 
 const support_node *support_of(const mpm *s, const int node[MESH_MAX_DIM])
@@ -70,7 +80,7 @@ bool supports_lead(const mpm *s, int body)
 
 int support_of_point(const mpm *s, int body, const double x[MESH_MAX_DIM])
 {
-    return s->cells != CELLS_SMEARED && is_led_body(s, body) ? region_with(s, x) : -1;
+    return is_led_body(s, body) ? region_with(s, x) : -1;
 }
 
 static bool some_solid_has(const mpm *s, const double x[MESH_MAX_DIM])
@@ -228,9 +238,10 @@ static floe_status look_at_node(mpm *s, int support, const int node[MESH_MAX_DIM
     place_of_node(s->mesh, node, x);
     support_node found = {.support = support};
     memcpy(found.node, node, sizeof found.node);
-    const bool inside = region_has(s, support, x), close = !inside && s->cells != CELLS_SMEARED && is_close(s, node);
+    const bool inside = region_has(s, support, x), close = !inside && is_close(s, node);
     lead way = {.share = 0.0};
-    if (s->cells != CELLS_SMEARED && find_lead(s, support, node, inside, &way)) {
+    found.inside = inside;
+    if (find_lead(s, support, node, inside, &way)) {
         found.led = true;
         found.share = way.share;
         found.per_step = way.per_step;

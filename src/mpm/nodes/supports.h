@@ -7,11 +7,11 @@
 /* How many nodes inside points outside reach. */
 enum { SUPPORT_STEPS = 2 };
 
-/* A node, by global index, that a support holds: it has the support's velocity V. Where a solid passes the surface of the region close by, it is led instead:
+/* A node, by global index, that a support holds: it has the support's velocity V. (In a group that is not led, that is all.) Where a solid passes the surface of the region close by, it is led instead:
  * its velocity is linear between the surface and a free node beyond, V + share (v_master - V), so that the solid is held at the surface itself. */
 typedef struct support_node {
     int node[MESH_MAX_DIM], support;
-    bool led;
+    bool inside, led;                            /* the region has it; and it is led */
     int master[MESH_MAX_DIM], way[MESH_MAX_DIM]; /* of a led one: and how many nodes on, across periodic ends too */
     int anchor[MESH_MAX_DIM];                    /* the node before the master */
     double share,
@@ -36,6 +36,13 @@ bool supports_lead(const mpm *s, int body);
 const support_node *support_of(const mpm *s, const int node[MESH_MAX_DIM]);
 /* Whether the surface of a support passes a cell at the start. */
 bool supports_cut(const mpm *s, const int cell[MESH_MAX_DIM]);
+/* Whether supports lead nodes of a group. */
+bool supports_lead_group(const mpm *s, int group);
+/* Whether an entry holds or leads its node for a group. */
+static inline bool support_constrains(const mpm *s, int group, const support_node *n)
+{
+    return n->inside || supports_lead_group(s, group);
+}
 /* Whether a support has a velocity. */
 bool support_moves(const mpm *s, int support);
 /* By how many nodes the solver's matrix couples farther along each axis, because led nodes of a curved or oblique surface have masters in different rows. */
