@@ -31,10 +31,10 @@ static int region_with(const mpm *s, const double x[MESH_MAX_DIM])
     return -1;
 }
 
-/* Fluids are not to be led; nor bodies that share changes of volume over patches of cells (theory 4.16), which would mix those of points on both sides. */
+/* Beside cells nodes inside alone are held: what gas does to led ones is not in the responses of walls (theory 7). Fluids are not to be led; nor bodies that share changes of volume over patches of cells (theory 4.16), which would mix those of points on both sides. */
 bool supports_lead_group(const mpm *s, int group)
 {
-    bool all = s->cells != CELLS_SMEARED;
+    bool all = s->cells == CELLS_NONE;
     for (int body = 0; body < s->n_bodies; ++body)
         all = all && (s->body[body].group != group || !(s->body[body].fluid || s->body[body].mean_strain));
     return all;
