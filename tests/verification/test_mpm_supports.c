@@ -5,6 +5,11 @@
 #include "grid/ledger.h"
 #include "sim/tracer.h"
 
+/* E = 1 MPa, nu = 0, in all scenes. */
+#define SCENE                                    \
+    "floe: 1\ncoupling: mpm\nboundaries: free\n" \
+    "materials: {rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1 MPa / 3, shear_modulus: 0.5 MPa}}}}\n"
+
 static const double pi = 3.14159265358979323846;
 
 static double worst_momentum(const sim *s)
@@ -27,18 +32,13 @@ static double tip_of(bench *t, int axis)
 static void write_cantilever(char text[2000], double h, double off, const char *time)
 {
     (void)snprintf(text, 2000,
-                   "floe: 1\n"
-                   "title: cantilever\n"
-                   "coupling: mpm\n"
-                   "domain: {dim: 2, lower: [%.17g, -0.2], upper: [%.17g, 0.2], cell: %.17g}\n"
-                   "boundaries: free\n"
-                   "materials: {rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1 MPa / 3, shear_modulus: "
-                   "0.5 MPa}}}}\n"
-                   "bodies: {beam: {material: rubber, shape: {box: {lower: [-0.15, -0.05], upper: [1, 0.05]}}}}\n"
-                   "supports: {wall: {region: {box: {lower: [-9, -9], upper: [0, 9]}}}}\n"
-                   "loads: {weight: {gravity: {acceleration: [0, -0.0066666666666666667]}}}\n"
-                   "time: {%s}\n"
-                   "output: {interval: 1 s, tracers: {tip: {body: beam, position: [1, 0]}}}\n",
+                   SCENE "title: cantilever\n"
+                         "domain: {dim: 2, lower: [%.17g, -0.2], upper: [%.17g, 0.2], cell: %.17g}\n"
+                         "bodies: {beam: {material: rubber, shape: {box: {lower: [-0.15, -0.05], upper: [1, 0.05]}}}}\n"
+                         "supports: {wall: {region: {box: {lower: [-9, -9], upper: [0, 9]}}}}\n"
+                         "loads: {weight: {gravity: {acceleration: [0, -0.0066666666666666667]}}}\n"
+                         "time: {%s}\n"
+                         "output: {interval: 1 s, tracers: {tip: {body: beam, position: [1, 0]}}}\n",
                    (off - 4.0) * h, (off - 4.0) * h + 1.4, h, time);
 }
 
@@ -94,19 +94,14 @@ static void test_drawn_by_grips(void **unused)
 {
     (void)unused;
     static const char text[] =
-        "floe: 1\n"
-        "title: bar drawn by its grips\n"
-        "coupling: mpm\n"
-        "domain: {dim: 2, lower: [0, 0], upper: [4, 1], cell: 0.1 m}\n"
-        "boundaries: free\n"
-        "materials: {rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1 MPa / 3, shear_modulus: 0.5 "
-        "MPa}}}}\n"
-        "bodies: {bar: {material: rubber, shape: {box: {lower: [0.33, 0.4], upper: [2.5, 0.6]}}}}\n"
-        "supports:\n"
-        "  grip: {region: {box: {lower: [0, 0], upper: [0.57, 1]}}}\n"
-        "  hand: {region: {box: {lower: [2.23, 0], upper: [4, 1]}}, velocity: [0.001, 0]}\n"
-        "time: {end: 1 s, solver: static, increments: 2}\n"
-        "output: {interval: 1 s, tracers: {middle: {body: bar, position: [1.4, 0.5]}}}\n";
+        SCENE "title: bar drawn by its grips\n"
+              "domain: {dim: 2, lower: [0, 0], upper: [4, 1], cell: 0.1 m}\n"
+              "bodies: {bar: {material: rubber, shape: {box: {lower: [0.33, 0.4], upper: [2.5, 0.6]}}}}\n"
+              "supports:\n"
+              "  grip: {region: {box: {lower: [0, 0], upper: [0.57, 1]}}}\n"
+              "  hand: {region: {box: {lower: [2.23, 0], upper: [4, 1]}}, velocity: [0.001, 0]}\n"
+              "time: {end: 1 s, solver: static, increments: 2}\n"
+              "output: {interval: 1 s, tracers: {middle: {body: bar, position: [1.4, 0.5]}}}\n";
     bench t;
     begin(&t, text, NULL, 0);
     run_until(&t, 1.0);
@@ -121,14 +116,9 @@ static void test_drawn_by_grips(void **unused)
 static void test_carried_by_grip(void **unused)
 {
     (void)unused;
-    static const char text[] =
-        "floe: 1\n"
+    static const char text[] = SCENE
         "title: bar that its grip carries along\n"
-        "coupling: mpm\n"
         "domain: {dim: 2, lower: [0, 0], upper: [4, 1], cell: 0.1 m}\n"
-        "boundaries: free\n"
-        "materials: {rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1 MPa / 3, shear_modulus: 0.5 "
-        "MPa}}}}\n"
         "bodies: {bar: {material: rubber, velocity: [2, 0.3], shape: {box: {lower: [0.33, 0.4], upper: [1.5, 0.6]}}}}\n"
         "supports: {grip: {region: {box: {lower: [0, 0], upper: [0.57, 1]}}, velocity: [2, 0.3]}}\n"
         "time: {end: 0.2 s, solver: dynamic}\n"
@@ -152,18 +142,13 @@ static void test_hangs_in_space(void **unused)
 {
     (void)unused;
     static const char text[] =
-        "floe: 1\n"
-        "title: bar that hangs from an oblique ceiling\n"
-        "coupling: mpm\n"
-        "domain: {dim: 3, lower: [0, 0, 0], upper: [1, 1, 2], cell: 0.1 m}\n"
-        "boundaries: free\n"
-        "materials: {rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1 MPa / 3, shear_modulus: 0.5 "
-        "MPa}}}}\n"
-        "bodies: {bar: {material: rubber, shape: {box: {lower: [0.3, 0.3, 0.37], upper: [0.7, 0.7, 1.9]}}}}\n"
-        "supports: {ceiling: {region: {halfspace: {point: [0.5, 0.5, 1.53], normal: [-0.1, -0.05, -1]}}}}\n"
-        "loads: {weight: {gravity: {acceleration: [0, 0, -1]}}}\n"
-        "time: {end: 1 s, solver: static, increments: 1}\n"
-        "output: {interval: 1 s, tracers: {tip: {body: bar, position: [0.5, 0.5, 0.37]}}}\n";
+        SCENE "title: bar that hangs from an oblique ceiling\n"
+              "domain: {dim: 3, lower: [0, 0, 0], upper: [1, 1, 2], cell: 0.1 m}\n"
+              "bodies: {bar: {material: rubber, shape: {box: {lower: [0.3, 0.3, 0.37], upper: [0.7, 0.7, 1.9]}}}}\n"
+              "supports: {ceiling: {region: {halfspace: {point: [0.5, 0.5, 1.53], normal: [-0.1, -0.05, -1]}}}}\n"
+              "loads: {weight: {gravity: {acceleration: [0, 0, -1]}}}\n"
+              "time: {end: 1 s, solver: static, increments: 1}\n"
+              "output: {interval: 1 s, tracers: {tip: {body: bar, position: [0.5, 0.5, 0.37]}}}\n";
     bench t;
     begin(&t, text, NULL, 0);
     run_until(&t, 1.0);

@@ -67,7 +67,7 @@ const named_items items_springs = {
 
 static const key_spec support_keys[] = {
     {"region", KEY_MODEL, AT(scene_support, region), .family = &family_shape, .required = true,
-     .doc = "what lies in it is held, solids at its surface"},
+     .doc = "what lies in it is constrained, solids at its surface"},
     {"velocity", KEY_VECTOR, "m/s", AT(scene_support, velocity), .otherwise = "0", .doc = "at which it moves"},
 };
 static const key_table support_table = TABLE(support_keys);

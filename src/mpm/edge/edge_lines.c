@@ -4,6 +4,7 @@
 #include "mpm/edge/edge.h"
 #include "mpm/mpm_constants.h"
 #include "mpm/nodes/constraints.h"
+#include "mpm/nodes/node_place.h"
 #include "mpm/nodes/sides.h"
 #include "mpm/nodes/supports.h"
 
@@ -90,19 +91,6 @@ static floe_status reserve_items(context *ctx, void *list, size_t *reserved, siz
     return FLOE_OK;
 }
 
-/* Where a block sees a node, moved by whole periods: false where it does not. */
-static bool find_in_block(const mesh *m, const block *b, const edge_node *n, const int period[MESH_MAX_DIM],
-                          ptrdiff_t *at)
-{
-    int local[MESH_MAX_DIM];
-    for (int a = 0; a < MESH_MAX_DIM; ++a) {
-        local[a] = n->at[a] + period[a] * m->n[a] - b->lo[a];
-        if (a < m->dim && (local[a] < -1 || local[a] > b->n[a] + 1)) return false;
-    }
-    *at = mesh_index(b, local[0], local[1], local[2]);
-    return true;
-}
-
 /* Of a node in the only block, which has no images. */
 static floe_status list_only_copy(mpm *s, edge_group *g, edge_node *n)
 {
@@ -119,10 +107,9 @@ static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
 {
     const mesh *m = s->mesh;
     if (m->n_blocks == 1 && !m->periodic[0] && !m->periodic[1] && !m->periodic[2]) return list_only_copy(s, g, n);
-    int cell[MESH_MAX_DIM], images[MESH_MAX_DIM] = {0, 0, 0};
-    for (int a = 0; a < MESH_MAX_DIM; ++a) cell[a] = n->at[a] == m->n[a] ? n->at[a] - 1 : n->at[a];
+    int images[MESH_MAX_DIM] = {0, 0, 0};
     for (int a = 0; a < m->dim; ++a) images[a] = m->periodic[a] ? 1 : 0;
-    const int own = mesh_block_of(m, cell);
+    const int own = owner_of_node(m, n->at).block;
     n->copy = g->n_copies;
     for (int round = 0; round < 2; ++round)
         for (int z = -images[2]; z <= images[2]; ++z)
@@ -131,7 +118,8 @@ static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
                     for (int b = 0; b < m->n_blocks; ++b) {
                         const bool first = b == own && x == 0 && y == 0 && z == 0;
                         ptrdiff_t at;
-                        if (first != (round == 0) || !find_in_block(m, &m->block[b], n, (const int[]){x, y, z}, &at))
+                        if (first != (round == 0) ||
+                            !find_node_in_block(m, &m->block[b], n->at, (const int[]){x, y, z}, &at))
                             continue;
                         TRY(reserve_items(s->ctx, &g->copy, &g->copies_reserved, g->n_copies + 1, sizeof *g->copy));
                         g->copy[g->n_copies++] = (edge_copy){b, at};
@@ -195,7 +183,7 @@ static const support_node *nearest_led(const support_node *const at[EDGE_TAPS], 
     return NULL;
 }
 
-/* Taps that a support leads along the line are their masters, with a share of the weight, and so are those held behind them: the motion of the solid goes on to
+/* Taps that a support leads along the line are their masters, with a share of the weight, and so are constrained ones behind them: the motion of the solid goes on to
  * there. False where it leads them along another axis, in which they are linear as their masters are, or moves. */
 static bool fold_led_taps(const mpm *s, int group, int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l)
 {

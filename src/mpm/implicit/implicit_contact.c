@@ -1,6 +1,7 @@
 /* Contact in the nodal equations: the active conditions, and the projections of displacements and forces on them. */
 #include "mpm/implicit/implicit_contact.h"
 #include "mpm/implicit/implicit_view.h"
+#include "mpm/nodes/node_place.h"
 
 #include "base/memory.h"
 #include "mpm/contact/contact.h"
@@ -125,11 +126,9 @@ static floe_status find_at(mpm *s, const int global[MESH_MAX_DIM], int at)
     struct implicit_contact *c = w->contact;
     contact_meeting list[CONTACT_MAX_PAIRS];
     contact_node node;
-    int cell[MESH_MAX_DIM], group[MPM_MAX_GROUPS];
+    int group[MPM_MAX_GROUPS];
     spot_view view = {.dim = s->mesh->dim};
-    for (int a = 0; a < MESH_MAX_DIM; ++a)
-        cell[a] = a < s->mesh->dim && global[a] == s->mesh->n[a] ? global[a] - 1 : global[a];
-    contact_look(s, mesh_block_of(s->mesh, cell), global, group, &node);
+    contact_look(s, owner_of_node(s->mesh, global).block, global, group, &node);
     for (int a = 0; a < s->mesh->dim; ++a)
         node.constrained[a] = view.constrained[a] = w->constrained[implicit_index(w, 0, a, at)];
     const int n = contact_find_meetings(&s->scene->contact, &node, list);

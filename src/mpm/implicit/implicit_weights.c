@@ -70,11 +70,11 @@ static floe_status reserve_weights(mpm *s)
     return memory_resize(s->ctx, &w->tangent, w->points_reserved, n * n * sizeof(double));
 }
 
-static int support_of_place(const mpm *s, int body, const point_arrays *p, long long k)
+static int support_of_point(const mpm *s, const point_arrays *p, long long k)
 {
     double x[MESH_MAX_DIM] = {0.0};
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = p->x[a][k];
-    return s->scene->n_supports > 0 ? support_of_point(s, body, x) : -1;
+    return support_with(s, x);
 }
 
 floe_status implicit_locate(mpm *s)
@@ -87,12 +87,13 @@ floe_status implicit_locate(mpm *s)
             const point_arrays p = points_of(s, b, body, false, false);
             point_weights *place = w->weights + w->first[b][body];
             const long long n = (long long)s->points[b][body].n;
+            const bool takes = supports_take_points(s, body);
 #pragma omp parallel for schedule(static)
             for (long long k = 0; k < n; ++k) {
                 for (int a = 0; a < s->mesh->dim; ++a)
                     locate_axis(s, a, p.x[a][k], p.half[a] ? p.half[a][k] : 0.25 * s->mesh->h[a], &place[k].axis[a]);
                 place[k].radius = p.x[0][k];
-                place[k].support = support_of_place(s, body, &p, k);
+                place[k].support = takes ? support_of_point(s, &p, k) : -1;
             }
         }
     return FLOE_OK;
@@ -121,7 +122,7 @@ static void go_from(const mpm *s, weighted_node *node, const int to[MESH_MAX_DIM
     node->at = (int)solve_index(&s->implicit->grid, to[0], to[1], to[2]);
 }
 
-/* A led node moves by a share as its master, by the rest as its support: as the node before the master, which is led or held, too. */
+/* A led node moves by a share as its master, by the rest as its support: as the node before the master, which is led or constrained, too. */
 static int share_led_nodes(const mpm *s, weighted_node node[IMPLICIT_NODES], int n)
 {
     int all = n;

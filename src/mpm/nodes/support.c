@@ -1,25 +1,10 @@
-/* Supports at the nodes: held ones have their velocity, led ones are linear between the surface and their masters (theory 4.13). What points give a led node
+/* Supports at the nodes: constrained ones have their velocity, led ones are linear between the surface and their masters (theory 4.13). What points give a led node
  * acts on its master by the same share, as the principle of virtual work has it. */
 #include "mpm/nodes/node.h"
+#include "mpm/nodes/node_place.h"
 #include "mpm/nodes/supports.h"
 
 #include <math.h>
-
-/* Where the values of a node are that the block which owns it has. */
-typedef struct node_place {
-    int block;
-    ptrdiff_t at;
-} node_place;
-
-static node_place owner_of(const mpm *s, const int node[MESH_MAX_DIM])
-{
-    int cell[MESH_MAX_DIM];
-    for (int a = 0; a < MESH_MAX_DIM; ++a)
-        cell[a] = a < s->mesh->dim && node[a] == s->mesh->n[a] ? node[a] - 1 : node[a];
-    const int blk = mesh_block_of(s->mesh, cell);
-    const block *b = &s->mesh->block[blk];
-    return (node_place){blk, mesh_index(b, node[0] - b->lo[0], node[1] - b->lo[1], node[2] - b->lo[2])};
-}
 
 static double value_at(const mpm *s, node_place p, field_id field, int group, int c)
 {
@@ -36,17 +21,9 @@ static void put_value(mpm *s, const int node[MESH_MAX_DIM], field_id field, int 
         for (int z = -images[2]; z <= images[2]; ++z)
             for (int y = -images[1]; y <= images[1]; ++y)
                 for (int x = -images[0]; x <= images[0]; ++x) {
-                    const block *b = &m->block[blk];
-                    const int period[MESH_MAX_DIM] = {x, y, z};
-                    int local[MESH_MAX_DIM];
-                    bool seen = true;
-                    for (int a = 0; a < MESH_MAX_DIM; ++a) {
-                        local[a] = node[a] + period[a] * m->n[a] - b->lo[a];
-                        seen = seen && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
-                    }
-                    if (!seen) continue;
-                    double *to = &field_get(s->domain->fields[blk], field, group,
-                                            c)[mesh_index(b, local[0], local[1], local[2])];
+                    ptrdiff_t at;
+                    if (!find_node_in_block(m, &m->block[blk], node, (const int[]){x, y, z}, &at)) continue;
+                    double *to = &field_get(s->domain->fields[blk], field, group, c)[at];
                     *to = add ? *to + value : value;
                 }
 }
@@ -56,7 +33,7 @@ static void put_value(mpm *s, const int node[MESH_MAX_DIM], field_id field, int 
 /* The share of a led node, less what is the support's own. */
 static void fold_component(mpm *s, const support_node *n, field_id field, int group, int c, double own)
 {
-    const double value = value_at(s, owner_of(s, n->node), field, group, c);
+    const double value = value_at(s, owner_of_node(s->mesh, n->node), field, group, c);
     put_value(s, n->master, field, group, c, n->share * (value - own), true);
 }
 
@@ -68,10 +45,11 @@ static double own_momentum(const mpm *s, const support_node *n, double mass, int
 
 void fold_supports(mpm *s, int group, bool momentum, bool force)
 {
-    for (size_t k = 0; k < s->supports->n && supports_lead_group(s, group); ++k) {
+    if (!supports_lead_group(s, group)) return;
+    for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *n = &s->supports->node[k];
         if (!n->led) continue;
-        const double mass = value_at(s, owner_of(s, n->node), N_MASS, group, 0);
+        const double mass = value_at(s, owner_of_node(s->mesh, n->node), N_MASS, group, 0);
         for (int c = 0; c < s->mesh->dim; ++c) {
             if (momentum) fold_component(s, n, N_MOMENTUM, group, c, own_momentum(s, n, mass, c));
             if (force) fold_component(s, n, N_FORCE, group, c, 0.0);
@@ -82,9 +60,10 @@ void fold_supports(mpm *s, int group, bool momentum, bool force)
 
 void fold_supported_residuals(mpm *s, int group, bool velocities)
 {
-    for (size_t k = 0; k < s->supports->n && supports_lead_group(s, group); ++k) {
+    if (!supports_lead_group(s, group)) return;
+    for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *n = &s->supports->node[k];
-        const double mass = velocities ? value_at(s, owner_of(s, n->node), N_MASS, group, 0) : 0.0;
+        const double mass = velocities ? value_at(s, owner_of_node(s->mesh, n->node), N_MASS, group, 0) : 0.0;
         for (int c = 0; n->led && c < s->mesh->dim; ++c)
             fold_component(s, n, N_MOMENTUM, group, c, own_momentum(s, n, mass, c));
     }
@@ -95,7 +74,7 @@ void fold_supported_residuals(mpm *s, int group, bool velocities)
 static double value_of(const mpm *s, const support_node *n, field_id field, int group, int c, bool change)
 {
     const double v = change ? 0.0 : s->scene->support[n->support].velocity[c];
-    return n->led ? v + n->share * (value_at(s, owner_of(s, n->master), field, group, c) - v) : v;
+    return n->led ? v + n->share * (value_at(s, owner_of_node(s->mesh, n->master), field, group, c) - v) : v;
 }
 
 static void push_support(mpm *s, const int node[MESH_MAX_DIM], int support, int c, double impulse)
@@ -109,7 +88,7 @@ static void push_support(mpm *s, const int node[MESH_MAX_DIM], int support, int 
 /* A share of the impulse that a support is about to give: the node's change, less what its master has of it. */
 static void enter_impulse(mpm *s, const support_node *n, int group, int c, double change, double share)
 {
-    const double impulse = share * value_at(s, owner_of(s, n->node), N_MASS, group, 0) * change;
+    const double impulse = share * value_at(s, owner_of_node(s->mesh, n->node), N_MASS, group, 0) * change;
     push_support(s, n->node, n->support, c, impulse);
     if (n->led) push_support(s, n->master, n->support, c, -n->share * impulse);
 }
@@ -125,7 +104,8 @@ static void hold_nodes(mpm *s, int group, field_id field, double entered, bool c
         for (int c = 0; c < s->mesh->dim; ++c) {
             const double value = value_of(s, n, field, group, c, change);
             if (entered != 0.0)
-                enter_impulse(s, n, group, c, value - value_at(s, owner_of(s, n->node), field, group, c), entered);
+                enter_impulse(s, n, group, c, value - value_at(s, owner_of_node(s->mesh, n->node), field, group, c),
+                              entered);
             put_value(s, n->node, field, group, c, value, false);
         }
     }
@@ -145,21 +125,24 @@ void constrain_supports(mpm *s, int group, field_id change, double share)
 void enter_support_damping(mpm *s, int group)
 {
     const double taken = 1.0 - damping_left(s);
-    for (size_t k = 0; taken > 0.0 && k < s->supports->n && supports_lead_group(s, group); ++k) {
+    if (!(taken > 0.0) || !supports_lead_group(s, group)) return;
+    for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *n = &s->supports->node[k];
         for (int c = 0; n->led && c < s->mesh->dim; ++c)
             push_support(s, n->master, n->support, c,
-                         n->share * taken * value_at(s, owner_of(s, n->node), N_MOMENTUM, group, c));
+                         n->share * taken * value_at(s, owner_of_node(s->mesh, n->node), N_MOMENTUM, group, c));
     }
 }
 
 void still_supports(mpm *s, int group)
 {
-    for (size_t k = 0; k < s->supports->n && supports_lead_group(s, group); ++k) {
+    if (!supports_lead_group(s, group)) return;
+    for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *n = &s->supports->node[k];
         for (int c = 0; n->led && c < s->mesh->dim; ++c) {
             const double a = value_of(s, n, N_ACCEL, group, c, true);
-            enter_impulse(s, n, group, c, a - value_at(s, owner_of(s, n->node), N_ACCEL, group, c), s->share * s->kick);
+            enter_impulse(s, n, group, c, a - value_at(s, owner_of_node(s->mesh, n->node), N_ACCEL, group, c),
+                          s->share * s->kick);
             put_value(s, n->node, N_ACCEL, group, c, a, false);
         }
     }
@@ -167,10 +150,11 @@ void still_supports(mpm *s, int group)
 
 void follow_masters(mpm *s, int group)
 {
-    for (size_t k = 0; k < s->supports->n && supports_lead_group(s, group); ++k) {
+    if (!supports_lead_group(s, group)) return;
+    for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *n = &s->supports->node[k];
         for (int c = 0; n->led && c < s->mesh->dim; ++c) {
-            const double before = value_at(s, owner_of(s, n->node), N_VEL_L, group, c);
+            const double before = value_at(s, owner_of_node(s->mesh, n->node), N_VEL_L, group, c);
             const double change = value_of(s, n, N_VEL_L, group, c, false) - before;
             enter_impulse(s, n, group, c, change, 1.0);
             put_value(s, n->node, N_VEL_L, group, c, change, true);

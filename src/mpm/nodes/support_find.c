@@ -1,4 +1,4 @@
-/* Which nodes supports hold and lead (theory 4.13). A solid that passes the surface of a region between two nodes is to be held there, not at the last node
+/* Which nodes supports constrain and lead (theory 4.13). A solid that passes the surface of a region between two nodes is to be constrained there, not at the last node
  * inside: a cantilever of 20 cells would sag by up to a quarter too much. */
 #include "base/memory.h"
 #include "geom/bounds.h"
@@ -23,15 +23,14 @@ static bool region_has(const mpm *s, int support, const double x[MESH_MAX_DIM])
     return shape_inside(&s->scene->support[support].region, s->mesh->dim, at);
 }
 
-/* The first support whose region has a place; -1: none. */
-static int region_with(const mpm *s, const double x[MESH_MAX_DIM])
+int support_with(const mpm *s, const double x[MESH_MAX_DIM])
 {
     for (int k = 0; k < s->scene->n_supports; ++k)
         if (region_has(s, k, x)) return k;
     return -1;
 }
 
-/* Beside cells nodes inside alone are held: what gas does to led ones is not in the responses of walls (theory 7). Fluids are not to be led; nor bodies that share changes of volume over patches of cells (theory 4.16), which would mix those of points on both sides. */
+/* Beside cells nodes inside alone are constrained: what gas does to led ones is not in the responses of walls (theory 7). Fluids are not to be led; nor bodies that share changes of volume over patches of cells (theory 4.16), which would mix those of points on both sides. */
 bool supports_lead_group(const mpm *s, int group)
 {
     bool all = s->cells == CELLS_NONE;
@@ -78,9 +77,9 @@ bool supports_lead(const mpm *s, int body)
     return false;
 }
 
-int support_of_point(const mpm *s, int body, const double x[MESH_MAX_DIM])
+bool supports_take_points(const mpm *s, int body)
 {
-    return is_led_body(s, body) ? region_with(s, x) : -1;
+    return s->scene->n_supports > 0 && is_led_body(s, body);
 }
 
 static bool some_solid_has(const mpm *s, const double x[MESH_MAX_DIM])
@@ -168,7 +167,7 @@ static bool lead_by(const mpm *s, int support, const int node[MESH_MAX_DIM], int
                     double clear, lead *out)
 {
     double x[MESH_MAX_DIM];
-    if (!step_from(s, node, axis, steps, out->master, x) || region_with(s, x) >= 0 || is_close(s, out->master) ||
+    if (!step_from(s, node, axis, steps, out->master, x) || support_with(s, x) >= 0 || is_close(s, out->master) ||
         !solid_is_near(s, support, axis, MPM_SUPPORT_BEARING, x))
         return false;
     out->distance = fabs(distance);
@@ -232,16 +231,23 @@ static floe_status add_support_node(mpm *s, const support_node *node)
     return FLOE_OK;
 }
 
-static floe_status look_at_node(mpm *s, int support, const int node[MESH_MAX_DIM])
+static bool some_body_is_led(const mpm *s)
+{
+    for (int body = 0; body < s->n_bodies; ++body)
+        if (is_led_body(s, body)) return true;
+    return false;
+}
+
+static floe_status look_at_node(mpm *s, int support, const int node[MESH_MAX_DIM], bool leads)
 {
     double x[MESH_MAX_DIM];
     place_of_node(s->mesh, node, x);
     support_node found = {.support = support};
     memcpy(found.node, node, sizeof found.node);
-    const bool inside = region_has(s, support, x), close = !inside && is_close(s, node);
+    const bool inside = region_has(s, support, x), close = leads && !inside && is_close(s, node);
     lead way = {.share = 0.0};
     found.inside = inside;
-    if (find_lead(s, support, node, inside, &way)) {
+    if (leads && find_lead(s, support, node, inside, &way)) {
         found.led = true;
         found.share = way.share;
         found.per_step = way.per_step;
@@ -262,6 +268,7 @@ static floe_status find_nodes(mpm *s, int support)
     const scene_support *of = &s->scene->support[support];
     int begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};
     double lo[3], hi[3];
+    const bool leads = some_body_is_led(s);
     const bool bounded = shape_bounds(&of->region, m->dim, lo, hi);
     for (int a = 0; a < m->dim; ++a) {
         end[a] = m->n[a] + (m->periodic[a] ? 0 : 1);
@@ -272,7 +279,7 @@ static floe_status find_nodes(mpm *s, int support)
     }
     for (int k = begin[2]; k < end[2]; ++k)
         for (int j = begin[1]; j < end[1]; ++j)
-            for (int i = begin[0]; i < end[0]; ++i) TRY(look_at_node(s, support, (const int[]){i, j, k}));
+            for (int i = begin[0]; i < end[0]; ++i) TRY(look_at_node(s, support, (const int[]){i, j, k}, leads));
     return FLOE_OK;
 }
 
@@ -281,10 +288,11 @@ void relieve_supported_points(mpm *s)
     for (int blk = 0; blk < s->mesh->n_blocks; ++blk)
         for (int body = 0; body < s->n_bodies; ++body) {
             const fields *f = s->domain->fields[blk];
-            for (size_t k = 0; s->scene->n_supports > 0 && k < s->points[blk][body].n; ++k) {
+            const size_t n = supports_take_points(s, body) ? s->points[blk][body].n : 0;
+            for (size_t k = 0; k < n; ++k) {
                 double x[MESH_MAX_DIM] = {0.0};
                 for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
-                if (support_of_point(s, body, x) < 0) continue;
+                if (support_with(s, x) < 0) continue;
                 for (int c = 0; c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
                     field_get(f, P_STRESS, body, c)[k] = 0.0;
             }

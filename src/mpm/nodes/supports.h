@@ -8,7 +8,7 @@
 enum { SUPPORT_STEPS = 2 };
 
 /* A node, by global index, that a support holds: it has the support's velocity V. (In a group that is not led, that is all.) Where a solid passes the surface of the region close by, it is led instead:
- * its velocity is linear between the surface and a free node beyond, V + share (v_master - V), so that the solid is held at the surface itself. */
+ * its velocity is linear between the surface and a free node beyond, V + share (v_master - V), so that the solid is constrained at the surface itself. */
 typedef struct support_node {
     int node[MESH_MAX_DIM], support;
     bool inside, led;                            /* the region has it; and it is led */
@@ -47,16 +47,18 @@ static inline bool support_constrains(const mpm *s, int group, const support_nod
 bool support_moves(const mpm *s, int support);
 /* By how many nodes the solver's matrix couples farther along each axis, because led nodes of a curved or oblique surface have masters in different rows. */
 int supports_widen(const mpm *s);
-/* The support to which a point of a body at x (m) belongs: it moves along and has no stress. -1: none. */
-int support_of_point(const mpm *s, int body, const double x[MESH_MAX_DIM]);
+/* Whether points of a body may belong to supports: those in the regions move along and have no stress. */
+bool supports_take_points(const mpm *s, int body);
+/* The first support whose region has the place x (m); -1: none. */
+int support_with(const mpm *s, const double x[MESH_MAX_DIM]);
 
 /* Gives the masters what points gave led nodes: masses and momenta, forces (support.c). */
 void fold_supports(mpm *s, int group, bool momentum, bool force);
 /* The same of the momenta of residuals (transfer/restore.c), which the velocities themselves or changes of them have. */
 void fold_supported_residuals(mpm *s, int group, bool velocities);
-/* Sets the velocities of held and led nodes; `entered` as impose_walls. */
+/* Sets the velocities of constrained and led nodes; `entered` as impose_walls. */
 void impose_supports(mpm *s, int group, field_id velocity, double entered);
-/* The same of a change of velocity, which held nodes do not have; `share` of that impulse is entered into the ledger. */
+/* The same of a change of velocity, which constrained nodes do not have; `share` of that impulse is entered into the ledger. */
 void constrain_supports(mpm *s, int group, field_id change, double share);
 /* Enters what damping has taken of momenta that masters were given. */
 void enter_support_damping(mpm *s, int group);

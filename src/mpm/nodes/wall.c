@@ -7,6 +7,7 @@
 
 #include "grid/tile_box.h"
 #include "mpm/nodes/ghosts.h"
+#include "mpm/nodes/node_place.h"
 #include "mpm/nodes/sides.h"
 #include "mpm/nodes/supports.h"
 #include "mpm/transfer/windows.h"
@@ -56,13 +57,9 @@ void wall_visit_once(const mesh *m, int axis, int side, wall_side_visitor *visit
         for (int j = lo[1]; j < hi[1]; ++j)
             for (int i = lo[0]; i < hi[0]; ++i) {
                 const int node[MESH_MAX_DIM] = {i, j, k};
-                int cell[MESH_MAX_DIM] = {i, j, k};
-                for (int a = 0; a < m->dim; ++a)
-                    if (cell[a] == m->n[a]) cell[a]--;
-                const int blk = mesh_block_of(m, cell);
-                const block *b = &m->block[blk];
-                visit(user, blk, node, mesh_index(b, node[0] - b->lo[0], node[1] - b->lo[1], node[2] - b->lo[2]),
-                      side == SIDE_LOWER ? b->stride[axis] : -b->stride[axis]);
+                const node_place p = owner_of_node(m, node);
+                const ptrdiff_t stride = m->block[p.block].stride[axis];
+                visit(user, p.block, node, p.at, side == SIDE_LOWER ? stride : -stride);
             }
 }
 

@@ -319,10 +319,12 @@ static double reference_work(const mpm *s, int blk, int body, size_t start, cons
 static void still_supported(const mpm *s, int blk, int body, size_t start, solid_batch *b)
 {
     const fields *f = s->domain->fields[blk];
-    for (size_t k = 0; s->scene->n_supports > 0 && k < b->n; ++k) {
+    if (!supports_take_points(s, body)) return;
+    for (size_t k = 0; k < b->n; ++k) {
         double x[MESH_MAX_DIM] = {0.0};
         for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[start + k];
-        for (int c = 0; c < 9 && support_of_point(s, body, x) >= 0; ++c) b->L[c][k] = 0.0;
+        if (support_with(s, x) < 0) continue;
+        for (int c = 0; c < 9; ++c) b->L[c][k] = 0.0;
     }
 }
 

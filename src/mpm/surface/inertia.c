@@ -8,6 +8,7 @@
 #include "mpm/implicit/implicit_walls.h"
 #include "mpm/nodes/constraints.h"
 #include "mpm/nodes/node.h"
+#include "mpm/nodes/node_place.h"
 #include "mpm/nodes/sides.h"
 #include "mpm/nodes/supports.h"
 #include "mpm/surface/surfaces.h"
@@ -78,12 +79,9 @@ static double prescribed_velocity(const mpm *s, int group, const int node[3], in
 
 static void describe_node(const mpm *s, inertia_node *n)
 {
-    int cell[3];
-    for (int a = 0; a < 3; ++a) cell[a] = a < s->mesh->dim && n->node[a] == s->mesh->n[a] ? n->node[a] - 1 : n->node[a];
-    const int blk = mesh_block_of(s->mesh, cell);
-    const block *b = &s->mesh->block[blk];
-    const fields *f = s->domain->fields[blk];
-    const ptrdiff_t at = mesh_index(b, n->node[0] - b->lo[0], n->node[1] - b->lo[1], n->node[2] - b->lo[2]);
+    const node_place own = owner_of_node(s->mesh, n->node);
+    const fields *f = s->domain->fields[own.block];
+    const ptrdiff_t at = own.at;
     const double mass = field_get(f, N_MASS, n->group, 0)[at], undamped = damping_left(s);
     const unsigned fixed = node_constraints(s, n->group, n->node);
     const bool stiff = walls_are_stiff(s);
