@@ -5,6 +5,7 @@
 #include "mpm/implicit/implicit_contact.h"
 #include "mpm/implicit/implicit_volume.h"
 #include "mpm/surface/surface_markers.h"
+#include "mpm/surface/traction.h"
 
 #include <math.h>
 #include <string.h>

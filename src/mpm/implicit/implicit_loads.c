@@ -2,6 +2,7 @@
 #include "mpm/implicit/implicit.h"
 #include "mpm/loads/point_loads.h"
 #include "mpm/surface/surface_markers.h"
+#include "mpm/surface/traction.h"
 #include "mpm/transfer/scatter.h"
 
 #include <string.h>

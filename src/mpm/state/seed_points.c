@@ -12,6 +12,7 @@
 #include "mpm/state/seed_hydrostatic.h"
 #include "mpm/state/stress.h"
 #include "mpm/surface/surface_markers.h"
+#include "mpm/surface/traction.h"
 #include "scene/formula.h"
 #include "scene/state.h"
 

@@ -11,8 +11,8 @@
 #include "mpm/nodes/node_place.h"
 #include "mpm/nodes/sides.h"
 #include "mpm/nodes/supports.h"
+#include "mpm/surface/surface_place.h"
 #include "mpm/surface/surfaces.h"
-#include "mpm/surface/traction.h"
 
 #include <math.h>
 #include <string.h>

@@ -9,8 +9,8 @@
 #include "math/tensor.h"
 #include "mpm/surface/boundary.h"
 #include "mpm/surface/standing.h"
+#include "mpm/surface/surface_place.h"
 #include "mpm/surface/surfaces.h"
-#include "mpm/surface/traction.h"
 #include "mpm/surface/welded.h"
 #include "scene/state.h"
 

@@ -3,8 +3,8 @@
 #define MPM_SURFACE_MARKERS_H
 
 #include "geom/contour.h"
+#include "mpm/surface/surface_place.h"
 #include "mpm/surface/surfaces.h"
-#include "mpm/surface/traction.h"
 
 /* The fluid of the cells beside a chain, by its number in the scene, or an mpm_no_fluid. */
 int fluid_beside(const scene *s, const mesh *m, const contour *o, size_t chain);

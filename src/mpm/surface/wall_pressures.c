@@ -10,8 +10,8 @@
 #include "mpm/implicit/implicit_walls.h"
 #include "mpm/surface/inertia.h"
 #include "mpm/surface/surface_markers.h"
+#include "mpm/surface/surface_place.h"
 #include "mpm/surface/surfaces.h"
-#include "mpm/surface/traction.h"
 #include "mpm/transfer/scatter.h"
 
 #include <math.h>
