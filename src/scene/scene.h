@@ -153,7 +153,7 @@ typedef struct scene_support {
 typedef enum load_kind {
     LOAD_PRESSURISE, /* energy into a fluid inside a region until its pressure reaches target; follows a linear ramp */
     LOAD_HEAT,       /* energy into a fluid inside a region at a given power density, W/m3 */
-    LOAD_TRACTION, /* pressure (compression positive) on the surface of a shape that bounds a body, or a vector traction */
+    LOAD_TRACTION,  /* pressure (compression positive), a vector or both on the surface of a shape that bounds a body */
     LOAD_BODY_FORCE /* m/s2 on a body, or on everything (gravity) */
 } load_kind;
 
@@ -169,7 +169,8 @@ typedef struct scene_load {
     long ramp_steps;
     bool hold;        /* the target is kept after the ramp, until the end */
     double target;    /* Pa (pressurise: gauge to reference_pressure; traction), W/m3 (heat) */
-    double vector[3]; /* m/s2 */
+    double vector[3]; /* m/s2; LOAD_TRACTION: Pa, force on the body per area at rest */
+    bool dead;        /* LOAD_TRACTION: the pressure acts on areas at rest, and does not turn with the surface */
 } scene_load;
 
 /* Mass of a fluid that comes into the cells (theory 2.18). */

@@ -155,13 +155,18 @@ double load_target(const scene *s, const scene_load *load, const double x[3], do
     return formula ? expression_value(formula, x, t) : load->target;
 }
 
+void load_vector(const scene *s, const scene_load *load, const double x[3], double t, double out[3])
+{
+    for (int a = 0; a < 3; ++a) {
+        const expression *formula = scene_formula_of(s, &load->vector[a]);
+        out[a] = formula ? expression_value(formula, x, t) : load->vector[a];
+    }
+}
+
 void load_acceleration(const scene *s, const scene_load *load, double t, double out[3])
 {
     const double nowhere[3] = {0.0, 0.0, 0.0};
-    for (int a = 0; a < 3; ++a) {
-        const expression *formula = scene_formula_of(s, &load->vector[a]);
-        out[a] = formula ? expression_value(formula, nowhere, t) : load->vector[a];
-    }
+    load_vector(s, load, nowhere, t, out);
 }
 
 /* Whether a ramp is in progress in the step, or held after it. */

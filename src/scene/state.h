@@ -56,8 +56,9 @@ scene_load load_until(const scene_load *load, double end);
 /* Fraction of a load's ramp reached at the end of the step: 0 before its start, 1 after the ramp; by steps where
  * ramp_steps is set. */
 double load_fraction(const scene_load *load, const load_step *step);
-/* The target of a load of the scene at x and t, and the acceleration of a body force at t: numbers, or by their formulas. */
+/* The target of a load of the scene at x and t, its vector likewise (the traction on a surface), and the acceleration of a body force at t: numbers, or by their formulas. */
 double load_target(const scene *s, const scene_load *load, const double x[3], double t);
+void load_vector(const scene *s, const scene_load *load, const double x[3], double t, double out[3]);
 void load_acceleration(const scene *s, const scene_load *load, double t, double out[3]);
 /* LOAD_HEAT: the time (s) in which the full power gives what the load gives in the step: a power with a ramp grows from nothing. */
 double load_heating_time(const scene_load *load, const load_step *step);

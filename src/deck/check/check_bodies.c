@@ -166,6 +166,14 @@ floe_status check_bodies(reader *r)
 
 static const char *const load_names[] = {"pressurise", "heat", "traction", "body_force"};
 
+/* Neither a pressure nor a vector, by number or by formula. */
+static bool is_without_load(const scene *s, const scene_load *load)
+{
+    bool any = load->target != 0.0 || scene_formula_of(s, &load->target);
+    for (int a = 0; a < 3; ++a) any = any || load->vector[a] != 0.0 || scene_formula_of(s, &load->vector[a]);
+    return !any;
+}
+
 static floe_status check_load(reader *r, const scene_load *load)
 {
     const scene *s = r->scene;
@@ -185,6 +193,10 @@ static floe_status check_load(reader *r, const scene_load *load)
                    "membranes: gas on one side (membrane.encloses), or a body_force",
                    "'%s' is a membrane, which has no shape: a traction acts on the surface of a shape",
                    s->body[load->body].name));
+    }
+    if (load->kind == LOAD_TRACTION && is_without_load(s, load)) {
+        TRY(bad_at(r, KEY("loads", load->name, kind), "pressure, vector, or both", NULL,
+                   "load '%s' says neither a pressure nor a vector", load->name));
     }
     if (load->ramp > 0.0 && load->ramp_steps > 0) {
         TRY(bad_at(r, KEY("loads", load->name, kind, "ramp_steps"), "one of ramp and ramp_steps", NULL,

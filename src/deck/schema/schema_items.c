@@ -307,10 +307,15 @@ static const key_spec traction_keys[] = {
     {"body", KEY_BODY, AT(scene_load, body), .required = true, .doc = "the body that is loaded"},
     {"surface", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .required = true,
      .doc = "the surface of this shape is loaded; the body lies on one side of it"},
-    {"pressure", KEY_NUMBER, "Pa", AT(scene_load, target), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
-     .doc = "normal pressure on it, above reference_pressure; compression positive. A dead load: areas and normals are "
-            "those "
-            "at the start"},
+    {"pressure", KEY_NUMBER, "Pa", AT(scene_load, target), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .fallback = "0",
+     .doc =
+         "normal pressure on it, above reference_pressure; compression positive. It follows the surface, as that of a "
+         "gas does"},
+    {"dead", KEY_BOOL, AT(scene_load, dead), .fallback = "false",
+     .doc = "true: the pressure acts on the areas and along the normals at the start"},
+    {"vector", KEY_VECTOR, "Pa", AT(scene_load, vector), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "0",
+     .doc = "force per area at the start, in this direction for good, whatever the body does: shear, a pull; with a "
+            "pressure, beside it"},
     {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, start), .fallback = "0", .doc = "the load begins"},
     {"ramp", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, ramp), .fallback = "0",
      .doc = "time over which it grows from nothing, in proportion; 0: at once"},
@@ -336,7 +341,7 @@ static const variant load_list[] = {
     {"pressurise", LOAD_PRESSURISE, &pressurise_table,
      "energy into a fluid until its pressure has reached a target, along a ramp"},
     {"heat", LOAD_HEAT, &heat_table, "energy into a fluid at a given power"},
-    {"traction", LOAD_TRACTION, &traction_table, "pressure on a surface of a body of material points"},
+    {"traction", LOAD_TRACTION, &traction_table, "pressure, shear or pull on a surface of a body of material points"},
     {"gravity", GRAVITY, &gravity_table, "acceleration of everything"},
     {"body_force", LOAD_BODY_FORCE, &body_force_table, "force per mass on one body"},
 };

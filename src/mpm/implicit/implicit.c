@@ -21,6 +21,7 @@ static double constrained_norm(const struct mpm_implicit *w, const double *x)
 static floe_status evaluate_residual(mpm *s, const double *u)
 {
     struct mpm_implicit *w = s->implicit;
+    implicit_follow_surfaces(s, u);
     TRY(implicit_strain(s, u));
     implicit_internal_force(s, w->internal);
     implicit_edge_force(s, u, w->internal);
@@ -61,6 +62,7 @@ static void assemble_all(mpm *s, node_matrix *m, const double *tangent)
 {
     implicit_assemble(s, m, tangent);
     implicit_assemble_edges(s, m);
+    implicit_assemble_surfaces(s, m);
     if (s->implicit->mass) motion_stiffen(s, m);
 }
 
@@ -225,12 +227,6 @@ static void enter_constraint_work(mpm *s)
     ledger_tally(s->ledger, COUNT_BALANCE_KRYLOV, w->krylov_iterations);
 }
 
-static void drop_unreached(const struct mpm_implicit *w, double *force)
-{
-    for (size_t k = 0; k < w->components; ++k)
-        if (!w->reached[k]) force[k] = 0.0;
-}
-
 /* From where the nodes would be without forces. */
 static floe_status start_motion(mpm *s)
 {
@@ -244,7 +240,7 @@ static void find_unbalanced(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
     implicit_body_force(s, w->acceleration_first, false, w->external_first);
-    drop_unreached(w, w->external_first);
+    implicit_drop_unreached(w, w->external_first);
     w->unbalanced_left = fmax(0.0, 1.0 - s->dt / (s->scene->time.end - s->time));
     if (w->unbalanced_left < MPM_NEWTON_ROUND_OFF) w->unbalanced_left = 0.0;
     enclosed_gases_first_force(s, w->unbalanced);
@@ -264,8 +260,9 @@ static floe_status prepare_system(mpm *s)
     TRY(implicit_contact_find(s));
     implicit_body_force(s, s->acceleration, true, w->external);
     TRY(enclosed_gases_smear(s));
-    drop_unreached(w, w->external);
-    for (int r = 0; r < w->n_gases; ++r) drop_unreached(w, w->gas_set[r].unit_force);
+    implicit_drop_unreached(w, w->external);
+    memcpy(w->steady, w->external, w->components * sizeof *w->steady);
+    for (int r = 0; r < w->n_gases; ++r) implicit_drop_unreached(w, w->gas_set[r].unit_force);
     return enclosed_gases_begin(s);
 }
 
@@ -296,6 +293,7 @@ static floe_status start_step(mpm *s)
 /* Updates points, surfaces and enclosed gases from the displacement of the nodes. */
 static floe_status update_points(mpm *s)
 {
+    s->implicit->tried = s->implicit->u;
     displace_surfaces(s, implicit_displacement);
     displace_markers(s, implicit_displacement);
     TRY(implicit_move(s));

@@ -81,6 +81,8 @@ struct mpm_implicit {
     /* On the grid; owned. Displacement and its Newton increment (m); forces (N): external, of gas, internal at the
      * start and now, residual. */
     double *u, *change, *external, *gas_force, *internal_first, *internal, *residual, *trial;
+    double *steady;      /* N: the part of `external` that does not follow the displacement; owned */
+    const double *tried; /* m: the displacement at which surfaces are; not owned */
     /* kg (in the first component) and m/s: nodal mass and velocity at the start, of implicit dynamics; else NULL.
      * Owned. */
     double *mass, *velocity;
@@ -109,6 +111,10 @@ void implicit_for_tiles(mpm *s, implicit_tile *visit, void *user);
 floe_status implicit_locate(mpm *s);
 /* The nodes in the support of a point, with their shape functions; those that supports lead are shared by their masters and the supports. Returns how many. */
 int implicit_nodes(const mpm *s, const point_weights *p, weighted_node out[IMPLICIT_NODES]);
+/* A node whose shape function is a share of what it was. */
+weighted_node scaled_node(const weighted_node *node, double factor);
+/* The shape functions of a place (m) that belongs to no point. */
+point_weights implicit_weights_at(const mpm *s, const double x[3]);
 
 /* Stress and internal force of every point at the displacement u, and its next state (implicit_points.c). FLOE_RETRY
  * where the strain of a point is outside the range of its law. */
@@ -124,7 +130,7 @@ void implicit_body_force(mpm *s, double (*acceleration)[3], bool drive, double *
 void implicit_node_mass(mpm *s, double *share);
 /* out -= sum V grad S (m2), in axisymmetric scenes with the hoop term. */
 void implicit_volume_gradient(mpm *s, double *out);
-/* The displacement of a node of a group, by global index, ghosts beyond the sides included. */
+/* The displacement of a node of a group that is tried, by global index, ghosts beyond the sides included. */
 double implicit_displacement(const mpm *s, int group, const int node[MESH_MAX_DIM], int c);
 /* Next positions and velocities of the points; velocities are zero in statics. FLOE_RETRY where a point moves farther
  * than a cell. */
@@ -149,10 +155,20 @@ void implicit_enter_edges(mpm *s);
 /* Assembles a matrix of tangents, as many a point as `tangent` below (implicit_matrix.c). */
 void implicit_assemble(mpm *s, node_matrix *m, const double *tangent);
 
+/* Surfaces under loads and enclosed gas, which follow the displacement u (m) (implicit_loads.c). The external forces there, and those of a unit
+ * pressure of enclosed gases of points. */
+void implicit_follow_surfaces(mpm *s, const double *u);
+/* The same, the loads (N) being added to `external`, whether nodes are reached or not. */
+void implicit_load_surfaces(mpm *s, const double *u, double *external);
+/* Adds what turning and stretching surfaces make of their loads to the matrix, made symmetric. */
+void implicit_assemble_surfaces(const mpm *s, node_matrix *m);
+
 /* Components that walls and supports constrain, and their prescribed displacements (implicit_constraints.c). */
 void implicit_constrain(mpm *s);
 /* Marks nodes in the support of solid points. */
 void implicit_find_reached(mpm *s);
+/* Removes forces on nodes that are in the support of none. */
+void implicit_drop_unreached(const struct mpm_implicit *w, double *force);
 /* Adds a group's node field (N_FORCE ...) of all blocks to an array of the solver; a scalar field goes into the first
  * component of its displacement field. */
 void implicit_collect(mpm *s, field_id id, int group, double *out);

@@ -64,6 +64,12 @@ void implicit_find_reached(mpm *s)
         for (size_t k = 0; k < w->grid.size; ++k) w->row[k] = w->row[k] || w->reached[implicit_index(w, l, 0, (int)k)];
 }
 
+void implicit_drop_unreached(const struct mpm_implicit *w, double *force)
+{
+    for (size_t k = 0; k < w->components; ++k)
+        if (!w->reached[k]) force[k] = 0.0;
+}
+
 double implicit_displacement(const mpm *s, int group, const int node[MESH_MAX_DIM], int c)
 {
     const struct mpm_implicit *w = s->implicit;
@@ -83,11 +89,11 @@ double implicit_displacement(const mpm *s, int group, const int node[MESH_MAX_DI
     int at[MESH_MAX_DIM] = {0, 0, 0};
     for (int a = 0; a < s->mesh->dim; ++a) at[a] = mesh_index_around(s->mesh, a, node[a]);
     const int here = (int)solve_index(&w->grid, at[0], at[1], at[2]), layer = implicit_layer(s, group);
-    const double own = w->u[implicit_index(w, layer, c, here)];
+    const double own = w->tried[implicit_index(w, layer, c, here)];
     if (!w->led || w->led[here] == 0) return own;
     const support_node *led = &s->supports->node[w->led[here] - 1];
     const int master = (int)solve_index(&w->grid, led->master[0], led->master[1], led->master[2]);
-    return own + led->share * (w->u[implicit_index(w, layer, c, master)] - own);
+    return own + led->share * (w->tried[implicit_index(w, layer, c, master)] - own);
 }
 
 void implicit_collect(mpm *s, field_id id, int group, double *out)

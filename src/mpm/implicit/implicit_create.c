@@ -91,8 +91,8 @@ static floe_status make_solver(mpm *s)
     TRY(enclosed_gases_find(s));
     TRY(implicit_contact_create(s));
     TRY(implicit_volume_create(s));
-    double **array[] = {&w->gas_force, &w->u,        &w->change, &w->external,   &w->internal_first,
-                        &w->internal,  &w->residual, &w->trial,  &w->prescribed, &w->constraint_step};
+    double **array[] = {&w->gas_force, &w->u,     &w->change,     &w->external,        &w->internal_first, &w->internal,
+                        &w->residual,  &w->trial, &w->prescribed, &w->constraint_step, &w->steady};
     for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
         TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
     if (s->cells != CELLS_NONE) {
@@ -217,6 +217,7 @@ void implicit_destroy(mpm *s)
     implicit_volume_free(s);
     stiff_free(s);
     multigrid_destroy(&w->solver);
+    memory_free(s->ctx, &w->steady);
     memory_free(s->ctx, &w->external_first);
     memory_free(s->ctx, &w->unbalanced);
     void *owned[] = {&w->mass,     &w->velocity, &w->gas_force,  &w->weights,    &w->point_force,

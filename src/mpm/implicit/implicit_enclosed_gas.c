@@ -7,6 +7,7 @@
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/loads/point_loads.h"
 #include "mpm/state/region.h"
+#include "mpm/surface/traction.h"
 #include "mpm/transfer/scratch.h"
 #include "scene/state.h"
 
@@ -219,7 +220,7 @@ floe_status enclosed_gases_force(mpm *s, const double *u, double *gas_force)
     memset(gas_force, 0, w->components * sizeof *gas_force);
     for (int k = 0; k < w->n_gases; ++k) {
         enclosed_gas *r = &w->gas_set[k];
-        TRY(enclosed_gas_set(s, r, dot_product(w, r->unit_force, u)));
+        TRY(enclosed_gas_set(s, r, r->body < 0 ? dot_product(w, r->unit_force, u) : surface_swept(s, k)));
         const double pressure = r->pressure - s->scene->reference_pressure;
         for (size_t i = 0; i < w->components; ++i) gas_force[i] += pressure * r->unit_force[i];
     }

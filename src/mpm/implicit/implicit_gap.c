@@ -10,6 +10,7 @@
 #include "mpm/implicit/implicit_view.h"
 #include "mpm/mpm_constants.h"
 #include "mpm/nodes/sides.h"
+#include "mpm/surface/surface_facets.h"
 #include "mpm/surface/surfaces.h"
 #include "mpm/transfer/stencil.h"
 
@@ -85,15 +86,18 @@ static void add_gap_element(mpm *s, const seen_element *e, gap_pass pass)
 
 static void for_elements(mpm *s, gap_pass pass)
 {
-    for (size_t k = 0; k < s->surfaces->n_loaded; ++k) {
-        const surface_point *p = &s->surfaces->loaded[k];
-        if (p->body < 0) continue;
-        const place_stencil st = stencil_at(s, p->x);
+    for (size_t k = 0; k < s->surfaces->n_facets; ++k) {
+        const surface_facet *f = &s->surfaces->facet[k];
+        double x[3];
+        if (f->use != SURFACE_IN_CONTACT) continue;
+        centre_of_facet(s, s->surfaces->corner, f, x);
+        for (int a = 0; a < 3; ++a) x[a] += f->offset[a];
+        const place_stencil st = stencil_at(s, x);
         for (int i = 0; i < st.n; ++i) {
             int node[3] = {st.node[i][0], st.node[i][1], st.node[i][2]};
-            seen_element e = {.layer = implicit_layer(s, s->body_group[p->body]), .weight = st.w[i]};
-            memcpy(e.x, p->x, sizeof e.x);
-            memcpy(e.area, p->area, sizeof e.area);
+            seen_element e = {.layer = implicit_layer(s, s->body_group[f->body]), .weight = st.w[i]};
+            memcpy(e.x, x, sizeof e.x);
+            memcpy(e.area, f->area, sizeof e.area);
             if (e.weight == 0.0 || !bring_inside(s, node, &e)) continue;
             e.node = (int)solve_index(&s->implicit->grid, node[0], node[1], node[2]);
             add_gap_element(s, &e, pass);

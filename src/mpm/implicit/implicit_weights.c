@@ -70,6 +70,13 @@ static floe_status reserve_weights(mpm *s)
     return memory_resize(s->ctx, &w->tangent, w->points_reserved, n * n * sizeof(double));
 }
 
+point_weights implicit_weights_at(const mpm *s, const double x[3])
+{
+    point_weights out = {.radius = x[0], .support = -1};
+    for (int a = 0; a < s->mesh->dim; ++a) locate_axis(s, a, x[a], 0.25 * s->mesh->h[a], &out.axis[a]);
+    return out;
+}
+
 static int support_of_point(const mpm *s, const point_arrays *p, long long k)
 {
     double x[MESH_MAX_DIM] = {0.0};
@@ -99,7 +106,7 @@ floe_status implicit_locate(mpm *s)
     return FLOE_OK;
 }
 
-static weighted_node scaled_node(const weighted_node *node, double factor)
+weighted_node scaled_node(const weighted_node *node, double factor)
 {
     weighted_node out = *node;
     for (int c = 0; c < MESH_MAX_DIM; ++c) {

@@ -245,9 +245,9 @@ floe_status mpm_commit(mpm *s)
         if (s->mesh->n_blocks > 1) TRY(migrate_points(s, body));
         for (int b = 0; b < s->mesh->n_blocks; ++b) TRY(sort_body(s, b, body));
     }
-    surface_point *swap = s->surfaces->loaded;
-    s->surfaces->loaded = s->surfaces->loaded_next;
-    s->surfaces->loaded_next = swap;
+    double *swap = s->surfaces->corner;
+    s->surfaces->corner = s->surfaces->corner_next;
+    s->surfaces->corner_next = swap;
     commit_markers(s);
     edges_commit(s);
     overlaps_commit(s);

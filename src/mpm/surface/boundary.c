@@ -198,7 +198,10 @@ void surfaces_free(mpm *s)
     free_membrane_force(s);
     free_markers(s->ctx, &s->surfaces->markers);
     inertia_free(s);
-    memory_free(s->ctx, &s->surfaces->loaded);
-    memory_free(s->ctx, &s->surfaces->loaded_next);
+    memory_free(s->ctx, &s->surfaces->corner);
+    memory_free(s->ctx, &s->surfaces->corner_next);
+    memory_free(s->ctx, &s->surfaces->corner_force);
+    memory_free(s->ctx, &s->surfaces->corner_body);
+    memory_free(s->ctx, &s->surfaces->facet);
     memory_free(s->ctx, &s->surfaces);
 }

@@ -6,14 +6,6 @@
 #include "geom/sheet_triangles.h"
 #include "mpm/mpm.h"
 
-/* Loaded surface points: massless, moved by the nodes, each with an area vector (m2) and the load that acts on it. */
-typedef struct surface_point {
-    double x[3], area[3];
-    int load;     /* -1: none, but the pressure of an enclosed gas */
-    int enclosed; /* number of the enclosed gas (implicit.h), -1: none */
-    int body;     /* of the scene: the body in contact whose surface this is (implicit_gap.c); -1: none */
-} surface_point;
-
 /* Forces of gas on a membrane (membrane_boundary.c), by number of its points. Owned arrays. */
 typedef struct membrane_force {
     size_t n;               /* 0: the body encloses no gas of the cells */
@@ -48,8 +40,14 @@ typedef struct surface_markers {
 } surface_markers;
 
 struct mpm_surfaces {
-    surface_point *loaded, *loaded_next; /* owned */
-    size_t n_loaded;
+    /* Massless corners of facets, which the nodes move: m, three each, now and next; N, three each: forces; and their bodies in the scene.
+     * Owned, as the facets. */
+    double *corner, *corner_next, *corner_force;
+    int *corner_body;
+    size_t n_corners;
+    struct surface_facet *facet;
+    size_t n_facets;
+    bool pressed;                                    /* some of them are, by loads or enclosed gases */
     membrane_force membrane_force[SCENE_MAX_BODIES]; /* of our bodies */
     surface_markers markers;
     struct wall_response *fluids;   /* response of the gas's pressure to the markers' motion; not owned; NULL: none */

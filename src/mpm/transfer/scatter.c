@@ -83,10 +83,12 @@ floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress
 void scatter_loads(mpm *s, int group)
 {
     motion_clear_loads(s, group);
-    scatter_surfaces(s, group); /* they look at the masses */
+    if (!mpm_is_solved(s)) {        /* else they follow the displacement that is solved for */
+        scatter_surfaces(s, group); /* they look at the masses */
+        scatter_markers(s, group, s->surfaces->markers.force);
+    }
     scatter_springs(s, group);
     scatter_membrane_force(s, group);
-    if (!mpm_is_solved(s)) scatter_markers(s, group, s->surfaces->markers.force);
     scatter_enclosed_pressure(s, group);
     fold_forces(s, group);
 }

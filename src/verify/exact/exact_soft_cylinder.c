@@ -19,8 +19,9 @@ static const param_spec soft_params[] = {
     PAR_NONNEGATIVE(soft_par, inner_pressure, "Pa", NAN, "pressure in the bore, less the reference pressure"),
     PAR_POSITIVE(soft_par, bulk_modulus, "Pa", NAN, "bulk modulus K; lambda = K - 2G/3"),
     PAR_POSITIVE(soft_par, shear_modulus, "Pa", NAN, "shear modulus G = mu"),
-    PAR_BETWEEN(soft_par, dead, "1", 0.0, 1.0, 1.0,
-                "1: the pressure is per area at rest, as that of `loads`; 0: per area as it is, as a gas's"),
+    PAR_BETWEEN(soft_par, dead, "1", 0.0, 1.0, 0.0,
+                "0: the pressure is per area as it is, as that of a gas or a load; 1: per area at rest, as that of a "
+                "load with `dead`"),
     PAR_VECTOR(soft_par, centre, "m", PARAM_ANY, 0.0, "a point of the axis (its z is ignored)"),
 };
 
