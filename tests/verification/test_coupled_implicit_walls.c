@@ -148,6 +148,54 @@ static void test_held(void **unused)
     trial_end(&t);
 }
 
+/* ---- a block that can turn ---- */
+
+static double block_acceleration(const char *box)
+{
+    static const char *common[] = {"domain={dim: 2, lower: [0, 0], upper: [1.2, 1], cell: 0.025}",
+                                   "boundaries={x: slip, y: slip}",
+                                   "materials.water=" LIQUID,
+                                   "materials.air=null",
+                                   "materials.plate=null",
+                                   "materials.wood={density: 300, " STIFF "}",
+                                   AMBIENT,
+                                   "bodies.behind=null",
+                                   "bodies.plate=null",
+                                   "loads={weight: {gravity: {acceleration: [0, -9.81]}}}",
+                                   "time={end: 1, growth: 2, max_step: 4e-3}",
+                                   METHOD};
+    char body[160];
+    trial t;
+    mpm_totals m;
+    (void)snprintf(body, sizeof body, "bodies.block={material: wood, shape: {box: {%s}}, motion: rigid}", box);
+    const char *set[] = {body};
+    begin_with(&t, common, sizeof common / sizeof *common, set, 1);
+    start(&t);
+    trial_run(&t, 0.03);
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &m));
+    const double half = m.momentum[0][1] / m.mass[0];
+    trial_run(&t, 0.06);
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &m));
+    const double a = (m.momentum[0][1] / m.mass[0] - half) / 0.03;
+    print_message("block: acceleration %.4g, %ld steps\n", a, t.sim->steps);
+    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 1e-11);
+    trial_end(&t);
+    return a;
+}
+
+/* A light block in a box of water, anywhere in its cells, rises by 9.81 (1000 - 300) 0.08/(24 + m) m/s2, m = 200.1 kg/m of water by potential flow in the
+ * box (finite volumes of 1/480 of its width and less). Measured: 0.041, 0.019 and 0.016 off. With what turns it by a first guess of the pressure counted as turned,
+ * not as a rate, the block shrank by half the square of the angle, and its water swung up from step to step: over 10 kJ for 2.4 J. */
+static void test_turning(void **unused)
+{
+    (void)unused;
+    static const char *const box[] = {"lower: [0.4, 0.4], upper: [0.8, 0.6]",
+                                      "lower: [0.403, 0.404], upper: [0.803, 0.604]",
+                                      "lower: [0.413, 0.401], upper: [0.813, 0.601]"};
+    for (size_t k = 0; k < sizeof box / sizeof *box; ++k)
+        check_close_relative(block_acceleration(box[k]), 9.81 * 56.0 / 224.1, 0.05);
+}
+
 /* ---- on a line ---- */
 
 static void line_begin(trial *t, double cell, double step, const char *const *set, size_t n_set)
@@ -447,10 +495,11 @@ static void test_refused(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pushed), cmocka_unit_test(test_lifted),     cmocka_unit_test(test_held),
-        cmocka_unit_test(test_piston), cmocka_unit_test(test_gas_spring), cmocka_unit_test(test_elastic),
-        cmocka_unit_test(test_bits),   cmocka_unit_test(test_head),       cmocka_unit_test(test_symmetric),
-        cmocka_unit_test(test_steps),  cmocka_unit_test(test_drag),       cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_pushed),    cmocka_unit_test(test_lifted), cmocka_unit_test(test_held),
+        cmocka_unit_test(test_turning),   cmocka_unit_test(test_piston), cmocka_unit_test(test_gas_spring),
+        cmocka_unit_test(test_elastic),   cmocka_unit_test(test_bits),   cmocka_unit_test(test_head),
+        cmocka_unit_test(test_symmetric), cmocka_unit_test(test_steps),  cmocka_unit_test(test_drag),
+        cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

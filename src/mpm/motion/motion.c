@@ -127,6 +127,7 @@ static void start_free(const mpm *s, body_motion *m)
         m->impulse[a] = m->sums.mass * m->acceleration[a] * s->kick;
     }
     rigid_spin(m->sums.inertia, m->turns, m->sums.spin, m->now.w);
+    rigid_free_turn(m->sums.inertia, m->sums.spin, m->turns, s->dt, m->coast);
 }
 
 /* Velocity and moment of momentum after a share of what others have given. */

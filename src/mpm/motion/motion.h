@@ -30,6 +30,7 @@ typedef struct body_motion {
     rigid_field next;                           /* what nodes have in the step, about the same point */
     rigid_field end;                            /* at its end, about where that point is then */
     double turn[9];                             /* rotation over the step */
+    double coast[9];                            /* that of a free one that nobody pushes */
     double working[2][3];                       /* m/s, 1/s: velocity and spin with which others do work in the step */
     double impulse[3], moment[3];               /* N s, N m s about now.c: of others in the step */
     double loads[3], load_moment[3], load_work; /* of loads on its surface; again at each scatter */
@@ -99,6 +100,10 @@ void motion_load(const mpm *s, body_motion *m, const double x[3], const double f
  * there do work. */
 void motion_of_place(const mpm *s, const body_motion *m, const double x[3], double next[3], double velocity[3],
                      double path[3]);
+
+/* Velocity (m/s) with which a place of the surface sweeps volume over the step, linear in what others give the body: the way
+ * of a body that nobody pushes is exact, turned or not, and the rest is a rigid field. */
+void motion_sweep(const mpm *s, const body_motion *m, const double x[3], double velocity[3]);
 
 /* Adds the moment about the body's centre of an impulse at x. */
 void rigid_add_moment(const body_motion *m, const double x[3], const double impulse[3], double moment[3]);

@@ -131,6 +131,25 @@ void motion_of_place(const mpm *s, const body_motion *m, const double x[3], doub
     for (int a = 0; a < 3; ++a) path[a] = motion_is_prescribed(m->given) ? next[a] - x[a] : s->dt * path[a];
 }
 
+void motion_sweep(const mpm *s, const body_motion *m, const double x[3], double velocity[3])
+{
+    double r[3];
+    if (motion_is_prescribed(m->given)) {
+        carry_place(m, x, r);
+        for (int a = 0; a < 3; ++a) velocity[a] = (r[a] - x[a]) / s->dt;
+        return;
+    }
+    const rigid_field gain = {{m->now.c[0], m->now.c[1], m->now.c[2]},
+                              {m->next.v[0], m->next.v[1], m->next.v[2]},
+                              {m->next.w[0] - m->now.w[0], m->next.w[1] - m->now.w[1], m->next.w[2] - m->now.w[2]}};
+    rigid_velocity(&gain, x, velocity);
+    for (int a = 0; a < 3; ++a) r[a] = x[a] - m->now.c[a];
+    for (int a = 0; a < 3; ++a) {
+        const double *turn = &m->coast[3 * a];
+        velocity[a] += (turn[0] * r[0] + turn[1] * r[1] + turn[2] * r[2] - r[a]) / s->dt;
+    }
+}
+
 /* Turns F with the body, where its domains have it. */
 static void turn_shape(const mpm *s, const body_motion *m, int blk, size_t k)
 {

@@ -190,10 +190,8 @@ static floe_status add_marker(mpm *s, int vertex)
     if (m->motion) {
         double next[3], path[3];
         motion_of_place(s, m->motion, x, next, m->velocity, path);
-        for (int a = 0; a < 3; ++a) {
-            m->arm[a] = x[a] - m->motion->now.c[a];
-            if (s->forces_at_end) m->velocity[a] = (next[a] - x[a]) / s->dt; /* what sweeps volume (theory 7.8) */
-        }
+        if (s->forces_at_end) motion_sweep(s, m->motion, x, m->velocity); /* theory 7.8 */
+        for (int a = 0; a < 3; ++a) m->arm[a] = x[a] - m->motion->now.c[a];
         return FLOE_OK;
     }
     const surface_shares st = surface_shares_at(s, group, x);
