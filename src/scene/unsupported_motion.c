@@ -129,6 +129,35 @@ static floe_status refuse_common_material(const scene *s, int body)
     return FLOE_OK;
 }
 
+static bool has_liquid(const scene *s)
+{
+    bool found = s->has_ambient && eos_is_liquid(&s->material[s->ambient_material].eos);
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const scene_material *m = &s->material[s->body[b].material];
+        found = found || (m->kind == MATERIAL_FLUID && eos_is_liquid(&m->eos));
+    }
+    return found;
+}
+
+/* The cells' pressure takes a smeared body as one that gives way cell by cell, and the body then moves as a whole. Steps of sound even that
+ * out; in longer ones a liquid swings up, whatever its density and the body's. */
+static floe_status refuse_long_steps(const scene *s, int body)
+{
+    if (s->body[body].motion.kind != MOTION_RIGID || s->method.pressure == PRESSURE_EXPLICIT || !has_liquid(s))
+        return FLOE_OK;
+    return fail_key(
+        s->ctx, KEY("bodies", s->body[body].name, "motion"),
+        "ice-mpm: beside the implicit pressure a liquid swings up about a rigid body unless the interface is "
+        "sharp (method.interface: %s): take method.pressure explicit, or leave the motion out",
+        s->interface_reason[0] ? s->interface_reason : "smeared");
+}
+
+static floe_status refuse_smeared(const scene *s, int body)
+{
+    TRY(refuse_common_material(s, body));
+    return refuse_long_steps(s, body);
+}
+
 floe_status scene_refuse_motions(const scene *s, scene_coupling coupling)
 {
     for (int b = 0; b < s->n_bodies; ++b) {
@@ -136,7 +165,7 @@ floe_status scene_refuse_motions(const scene *s, scene_coupling coupling)
         for (size_t k = 0; k < sizeof rules / sizeof rules[0]; ++k)
             if (rules[k].applies(s, b))
                 return fail_key(s->ctx, KEY("bodies", s->body[b].name, "motion"), "%s", rules[k].why);
-        if (coupling == COUPLING_ICE_MPM && s->method.interface == INTERFACE_SMEARED) TRY(refuse_common_material(s, b));
+        if (coupling == COUPLING_ICE_MPM && s->method.interface == INTERFACE_SMEARED) TRY(refuse_smeared(s, b));
     }
     return FLOE_OK;
 }

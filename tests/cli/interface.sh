@@ -77,6 +77,39 @@ not_sharp 'has no exchange over cells' method.exchange=1e7
 not_sharp 'has no exchange over cells' 'exchange={pair: {between: [air, steel], momentum: free}}'
 not_sharp 'thinner than a cell' 'bodies.wall.shape={box: {lower: [1.503, 0], upper: [1.512, 0.04]}}'
 
+
+# A block in water under air: sharp with the explicit pressure. With the implicit one, which takes fluids that solids keep apart, it is smeared, and what does not
+# deform is then wrong in a liquid: free, it was thrown out of the water; held, the water did not rest.
+cat > afloat.yaml <<'DECK'
+floe: 1
+coupling: ice-mpm
+domain: {dim: 2, lower: [0, 0], upper: [1.2, 1], cell: 0.05}
+boundaries: {x: slip, y: slip}
+materials:
+  water: {eos: {acoustic: {density: 1000, sound_speed: 1500, pressure: 1e5, specific_heat: 4186}}}
+  air: {eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}
+  wood: {density: 300, specific_heat: 1000, law: {linear_elastic: {bulk_modulus: 1e9, shear_modulus: 5e8}}}
+ambient: {material: air, pressure: 1e5, temperature: 300}
+reference_pressure: 1e5
+bodies:
+  block: {material: wood, motion: rigid, shape: {box: {lower: [0.41, 0.44], upper: [0.81, 0.64]}}}
+  water: {material: water, pressure: 1e5, temperature: 300, shape: {box: {lower: [0, 0], upper: [1.2, 0.5]}}}
+loads: {weight: {gravity: {acceleration: [0, -9.81]}}}
+time: {end: 1}
+DECK
+expect 0 "$FLOE" check afloat.yaml
+[ ! -s stderr ] || fault 'a block afloat is warned of'
+for pressure in implicit auto; do
+    expect 2 "$FLOE" check afloat.yaml --set method.pressure=$pressure
+    has stderr 'a liquid swings up about a rigid body'
+done
+expect 0 "$FLOE" check afloat.yaml --set method.pressure=implicit --set bodies.block.motion=fixed
+has stderr 'does not stay at rest under gravity'
+expect 0 "$FLOE" check afloat.yaml --set method.pressure=implicit --set bodies.block.motion=null
+! grep -q 'stay at rest' stderr || fault 'a block that deforms is warned of as one that does not'
+expect 0 "$FLOE" check afloat.yaml --set method.pressure=implicit --set bodies.water=null --set ambient.temperature=290
+! grep -q 'swings up' stderr || fault 'a body in gas is refused as one in a liquid'
+
 # ---- a run, its results, and its end ----
 
 expect 0 "$FLOE" run "$tube" "${coarse[@]}" -o whole --quiet
