@@ -77,6 +77,7 @@
       "b_p(X_p, t): force per mass that the exact solution needs")                                                   \
     X(P_MASS_LEFT, "mass_left", POINT, SCALAR, "kg", SCRATCH,                                                        \
       "m_p when reactions have taken what they do in the step")                                                      \
+    X(P_FREE_MASS, "free_mass", POINT, SCALAR, "kg", SCRATCH, "m_p, but 0 of points that move with a support")       \
     X(P_DENSITY, "cell_density", POINT, SCALAR, "kg/m3", SCRATCH, "rho_p of a fluid from the masses of cells")       \
     X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")  \
     X(P_MEAN_PRESSURE, "mean_pressure", POINT, SCALAR, "Pa", SCRATCH,                                                \

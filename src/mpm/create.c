@@ -122,6 +122,7 @@ static bool body_carries(const mpm *s, int body, field_id id)
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
     if (id == P_DENSITY) return b->fluid;
+    if (id == P_FREE_MASS) return supports_take_points(s, body);
     if (id == P_TEMP) return b->warms;
     if (id == P_TEMP_GRADIENT) return b->warms && b->conductivity > 0.0;
     if (id == P_THERMAL_STRETCH) return b->expansion != 0.0;

@@ -143,6 +143,7 @@ floe_status mpm_seed(mpm *s);
 
 /* Stages (theory 4.1; contact: contact.h). */
 floe_status mpm_enclosed_pressure(mpm *s); /* force of enclosed gas on its surface (enclosed_gas.c) */
+floe_status mpm_find_free_points(mpm *s);  /* P_FREE_MASS (support_find.c) */
 floe_status mpm_drive_points(mpm *s);      /* b_p of an exact solution (point_loads.c) */
 floe_status mpm_points_to_nodes(mpm *s);   /* m_i, m_i v_i; and f_i when nothing else will change the stress */
 floe_status mpm_contact_normals(mpm *s);   /* normals where bodies in contact meet */

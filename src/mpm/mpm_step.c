@@ -116,10 +116,17 @@ static floe_status node_heat_stage(mpm *s, bool when)
     return FLOE_OK;
 }
 
+static floe_status free_point_stage(mpm *s)
+{
+    STAGE(s, s->carries[P_FREE_MASS], mpm_find_free_points, READS(P_MASS, P_POS), WRITES(P_FREE_MASS));
+    return FLOE_OK;
+}
+
 floe_status mpm_mass_stages(mpm *s)
 {
     const bool force = forces_at_once(s), drive = s->carries[P_DRIVE] && force;
     STAGE(s, s->carries[P_DRIVE], mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
+    TRY(free_point_stage(s));
     STAGE(s, s->enclosure, mpm_enclosed_pressure,
           READS(P_ID, P_POS, P_NORMAL, P_SURFACE_1, P_SURFACE_2, P_VOLUME0, P_STRESS, P_J), WRITES(NOTHING));
     STAGE(s, force && s->carries[P_MEAN_PRESSURE], mpm_share_pressures, READS(P_POS, P_VOLUME0, POINT_STATE),
@@ -292,6 +299,7 @@ static floe_status implicit_stages(mpm *s)
     }
     TRY(follow_supports(s));
     STAGE(s, s->carries[P_DRIVE], mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
+    TRY(free_point_stage(s));
     STAGE(s, ALWAYS, mpm_implicit_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),

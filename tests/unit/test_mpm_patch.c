@@ -51,7 +51,7 @@ static tile_points *tile_with(int dim, bool (*inside)(const double x[3]))
                 t->volume0[n] = 0.2 + 0.01 * (double)(n % 7);
                 t->J[n] = 1.0 + 0.02 * (double)(n % 3);
             }
-    t->p = (patch_points){{t->x[0], t->x[1], t->x[2]}, t->volume0, t->J};
+    t->p = (patch_points){{t->x[0], t->x[1], t->x[2]}, t->volume0, t->J, NULL};
     return t;
 }
 

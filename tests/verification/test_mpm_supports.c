@@ -90,6 +90,40 @@ static void test_cantilever_swings(void **unused)
     }
 }
 
+/* K/G = 10: points share changes of volume over patches, those of the support not among them. A clamp that keeps the end from narrowing makes it stiffer by some 2 %. */
+static void test_nearly_incompressible_cantilever(void **unused)
+{
+    (void)unused;
+    static const char *const set[1] = {"materials.rubber.law.linear_elastic.bulk_modulus=5e6"};
+    const double modulus = 0.5e6 * 2.0 * (1.0 + 14.0 / 31.0) / (1.0 - 14.0 / 31.0 * 14.0 / 31.0); /* E/(1 - nu^2) */
+    const double straight = 1e-3 * 1e6 / modulus * (1.0 + modulus / (3.0 * 5.0 / 6.0 * 0.5e6) * 0.01);
+    static const double cell[2] = {0.05, 0.025}, allowed[2] = {0.11, 0.06};
+    for (int k = 0; k < 2; ++k)
+        for (int n = 0; n < 3; ++n) {
+            char text[2000];
+            bench t;
+            write_cantilever(text, cell[k], 0.3 * n, "end: 1 s, solver: static, increments: 1");
+            begin(&t, text, set, 1);
+            run_until(&t, 1.0);
+            const double ratio = -tip_of(&t, 1) / straight;
+            print_message("K/G = 10, %g cells long, surface %g of a cell from a node: %.4f of the deflection\n",
+                          1.0 / cell[k], 0.3 * n, ratio);
+            check_close(ratio, 1.0, allowed[k]);
+            end(&t);
+        }
+    const double half = pi / (3.516 * sqrt(modulus * 0.01 / 12.0 / 1000.0));
+    char text[2000], time[80];
+    bench t;
+    (void)snprintf(time, sizeof time, "end: %.17g, solver: dynamic", half);
+    write_cantilever(text, 0.05, 0.3, time);
+    begin(&t, text, set, 1);
+    run_until(&t, half);
+    print_message("K/G = 10: after half a period %.4f of the deflection at rest\n", -tip_of(&t, 1) / straight);
+    check_close(-tip_of(&t, 1) / straight, 2.0, 0.11);
+    check_true(worst_momentum(t.sim) < 1e-12);
+    end(&t);
+}
+
 static void test_drawn_by_grips(void **unused)
 {
     (void)unused;
@@ -161,8 +195,11 @@ static void test_hangs_in_space(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cantilever_at_rest), cmocka_unit_test(test_cantilever_swings),
-        cmocka_unit_test(test_drawn_by_grips),     cmocka_unit_test(test_carried_by_grip),
+        cmocka_unit_test(test_cantilever_at_rest),
+        cmocka_unit_test(test_cantilever_swings),
+        cmocka_unit_test(test_nearly_incompressible_cantilever),
+        cmocka_unit_test(test_drawn_by_grips),
+        cmocka_unit_test(test_carried_by_grip),
         cmocka_unit_test(test_hangs_in_space),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -64,7 +64,9 @@ static floe_status list_tile(mpm *s, int blk, int tile, int body)
     const fields *f = s->domain->fields[blk];
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     const size_t *range = s->points[blk][body].tile_start + tile;
-    patch_points p = {.volume0 = field_get(f, P_VOLUME0, body, 0), .J = field_get(f, P_J, body, 0)};
+    patch_points p = {.volume0 = field_get(f, P_VOLUME0, body, 0),
+                      .J = field_get(f, P_J, body, 0),
+                      .free_mass = field_get(f, P_FREE_MASS, body, 0)};
     volume_patch patch[PATCHES_OF_TILE];
     for (int a = 0; a < s->mesh->dim; ++a) p.x[a] = field_get(f, P_POS, body, a);
     patches_find(s->mesh, &box, &p, range, patch);
@@ -78,7 +80,7 @@ static floe_status list_tile(mpm *s, int blk, int tile, int body)
         *own = (body_patch){.body = body, .modes = patch[n].modes, .first = v->listed, .unknown = v->modes};
         v->modes += (size_t)patch[n].modes;
         for (size_t k = range[0]; k < range[1]; ++k) {
-            if (patch_of_point(s->mesh, &box, &p, k) != n) continue;
+            if (patch_of_point(s->mesh, &box, &p, k) != n || !is_patched(&p, k)) continue;
             const size_t number = s->implicit->first[blk][body] + k;
             v->volume[number] = p.volume0[k] * p.J[k];
             v->point[v->listed] = number;

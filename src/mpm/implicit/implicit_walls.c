@@ -6,6 +6,7 @@
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/nodes/node.h"
 #include "mpm/nodes/sides.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/state/stress.h"
 #include "solve/skyline.h"
 
@@ -269,6 +270,26 @@ static void write_force(mpm *s, const fields *f, int group, int c, ptrdiff_t at,
     field_get(f, N_FORCE, group, c)[at] = s->implicit->walls->load[n];
 }
 
+static bool some_are_led(const mpm *s)
+{
+    for (size_t k = 0; supports_lead_group(s, 0) && k < s->supports->n; ++k)
+        if (s->supports->node[k].led) return true;
+    return false;
+}
+
+/* The moment of what the stiffness gives to the nodes: what supports have of it. */
+static void add_given_moment(const mpm *s, size_t n, double given, double moment[3])
+{
+    const struct mpm_implicit *w = s->implicit;
+    double x[MESH_MAX_DIM];
+    const solve_grid *g = &w->grid;
+    ptrdiff_t at = (ptrdiff_t)(n % g->size) - g->origin;
+    int node[MESH_MAX_DIM] = {0, 0, 0};
+    for (int a = s->mesh->dim - 1; a >= 0; at -= node[a] * g->stride[a], --a) node[a] = (int)(at / g->stride[a]);
+    place_of_node(s->mesh, node, x);
+    add_moment(moment, x, (int)(n / w->grid.size), given);
+}
+
 /* Whether images beyond a mirror push along an axis. */
 static bool is_mirrored(const mpm *s, int axis)
 {
@@ -280,21 +301,24 @@ void stiff_take(mpm *s)
 {
     const struct mpm_implicit *w = s->implicit;
     struct implicit_walls *k = w->walls;
-    double work = 0.0, given[MESH_MAX_DIM] = {0.0};
+    double work = 0.0, given[MESH_MAX_DIM] = {0.0}, moment[3] = {0.0};
+    const bool led = some_are_led(s);
     change_by_forces(s);
     node_matrix_apply(k->matrix, k->change, k->answer);
     for (size_t n = 0; n < w->components; ++n) {
         const double taken = w->mass[n % w->grid.size] * k->change[n];
         const double force = k->fixed[n] ? k->load[n] + (taken - k->answer[n]) / s->kick : taken / s->kick;
         if (w->reached[n]) given[n / w->grid.size] += s->kick * (force - k->load[n]);
+        if (w->reached[n] && led) add_given_moment(s, n, s->kick * (force - k->load[n]), moment);
         if (w->reached[n]) work += s->kick * (force - k->load[n]) * (w->velocity[n] + 0.5 * k->change[n]);
         k->load[n] = force;
     }
     for (int g = 0; g < s->n_deforming_groups; ++g) visit_copies(s, g, write_force);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, work);
     for (int a = 0; a < s->mesh->dim; ++a)
-        if (is_mirrored(s, a))
+        if (led || is_mirrored(s, a))
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, given[a]);
+    ledger_turn(s->ledger, LEDGER_BOUNDARY, moment, 1.0);
 }
 
 static void write_lightest(mpm *s, const fields *f, int group, int c, ptrdiff_t at, size_t n)

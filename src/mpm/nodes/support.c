@@ -69,6 +69,34 @@ void fold_supported_residuals(mpm *s, int group, bool velocities)
     }
 }
 
+/* ---- what supports hold ---- */
+
+bool supported_nodes_push(const mpm *s, int group)
+{
+    return (s->contact || s->motions || s->scene->n_springs > 0) && supports_lead_group(s, group) && s->supports->n > 0;
+}
+
+void keep_whole_masses(mpm *s, int group)
+{
+    for (size_t k = 0; k < s->supports->n; ++k) {
+        support_node *n = &s->supports->node[k];
+        const node_place own = owner_of_node(s->mesh, n->node);
+        if (n->led) continue;
+        n->whole[0] = value_at(s, own, N_MASS, group, 0);
+        for (int c = 0; c < s->mesh->dim; ++c) n->whole[1 + c] = value_at(s, own, N_MOMENTUM, group, c);
+    }
+}
+
+void put_whole_masses(mpm *s, int group)
+{
+    for (size_t k = 0; k < s->supports->n; ++k) {
+        const support_node *n = &s->supports->node[k];
+        if (n->led) continue;
+        put_value(s, n->node, N_MASS, group, 0, n->whole[0], false);
+        for (int c = 0; c < s->mesh->dim; ++c) put_value(s, n->node, N_MOMENTUM, group, c, n->whole[1 + c], false);
+    }
+}
+
 /* ---- velocities ---- */
 
 static double value_of(const mpm *s, const support_node *n, field_id field, int group, int c, bool change)
@@ -77,20 +105,25 @@ static double value_of(const mpm *s, const support_node *n, field_id field, int 
     return n->led ? v + n->share * (value_at(s, owner_of_node(s->mesh, n->master), field, group, c) - v) : v;
 }
 
-static void push_support(mpm *s, const int node[MESH_MAX_DIM], int support, int c, double impulse)
+void push_support(const mpm *s, int support, const double x[MESH_MAX_DIM], int c, double impulse)
+{
+    ledger_push(s->ledger, LEDGER_BOUNDARY, c, impulse, x);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, impulse * s->scene->support[support].velocity[c]);
+}
+
+static void push_at_node(mpm *s, const int node[MESH_MAX_DIM], int support, int c, double impulse)
 {
     double x[MESH_MAX_DIM];
     place_of_node(s->mesh, node, x);
-    ledger_push(s->ledger, LEDGER_BOUNDARY, c, impulse, x);
-    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, impulse * s->scene->support[support].velocity[c]);
+    push_support(s, support, x, c, impulse);
 }
 
 /* A share of the impulse that a support is about to give: the node's change, less what its master has of it. */
 static void enter_impulse(mpm *s, const support_node *n, int group, int c, double change, double share)
 {
     const double impulse = share * value_at(s, owner_of_node(s->mesh, n->node), N_MASS, group, 0) * change;
-    push_support(s, n->node, n->support, c, impulse);
-    if (n->led) push_support(s, n->master, n->support, c, -n->share * impulse);
+    push_at_node(s, n->node, n->support, c, impulse);
+    if (n->led) push_at_node(s, n->master, n->support, c, -n->share * impulse);
 }
 
 static void hold_nodes(mpm *s, int group, field_id field, double entered, bool change)
@@ -129,7 +162,7 @@ void enter_support_damping(mpm *s, int group)
     for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *n = &s->supports->node[k];
         for (int c = 0; n->led && c < s->mesh->dim; ++c)
-            push_support(s, n->master, n->support, c,
+            push_at_node(s, n->master, n->support, c,
                          n->share * taken * value_at(s, owner_of_node(s->mesh, n->node), N_MOMENTUM, group, c));
     }
 }

@@ -30,13 +30,16 @@ int support_with(const mpm *s, const double x[MESH_MAX_DIM])
     return -1;
 }
 
-/* Beside cells nodes inside alone are constrained: what gas does to led ones is not in the responses of walls (theory 7). Fluids are not to be led; nor bodies that share changes of volume over patches of cells (theory 4.16), which would mix those of points on both sides. */
+/* Fluids are not to be led; where cells share the mass of nodes (smeared) decks have no supports. */
 bool supports_lead_group(const mpm *s, int group)
 {
-    bool all = s->cells == CELLS_NONE;
-    for (int body = 0; body < s->n_bodies; ++body)
-        all = all && (s->body[body].group != group || !(s->body[body].fluid || s->body[body].mean_strain));
-    return all;
+    bool all = s->cells != CELLS_SMEARED, any = false;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        if (s->body[body].group != group) continue;
+        all = all && !s->body[body].fluid;
+        any = any || (body < s->n_deforming && !s->body[body].membrane.model);
+    }
+    return all && any;
 }
 
 /* Bodies that can be led to a surface: a membrane or a fluid has none that a region cuts. */
@@ -44,6 +47,11 @@ static bool is_led_body(const mpm *s, int body)
 {
     return body < s->n_deforming && !s->body[body].fluid && !s->body[body].membrane.model &&
            supports_lead_group(s, s->body[body].group);
+}
+
+int support_with_surface(const mpm *s, int group, const double x[MESH_MAX_DIM])
+{
+    return supports_lead_group(s, group) ? support_with(s, x) : -1;
 }
 
 const support_node *support_of(const mpm *s, const int node[MESH_MAX_DIM])
@@ -283,20 +291,47 @@ static floe_status find_nodes(mpm *s, int support)
     return FLOE_OK;
 }
 
-void relieve_supported_points(mpm *s)
+/* Visits the points of bodies that supports may hold, with the support that does, or -1. */
+typedef void supported_visitor(const mpm *s, int blk, int body, size_t k, int support);
+
+static void visit_supported(mpm *s, supported_visitor *visit)
 {
     for (int blk = 0; blk < s->mesh->n_blocks; ++blk)
         for (int body = 0; body < s->n_bodies; ++body) {
+            if (!supports_take_points(s, body)) continue;
             const fields *f = s->domain->fields[blk];
-            const size_t n = supports_take_points(s, body) ? s->points[blk][body].n : 0;
-            for (size_t k = 0; k < n; ++k) {
+            const long long n = (long long)s->points[blk][body].n;
+#pragma omp parallel for schedule(static)
+            for (long long k = 0; k < n; ++k) {
                 double x[MESH_MAX_DIM] = {0.0};
                 for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
-                if (support_with(s, x) < 0) continue;
-                for (int c = 0; c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
-                    field_get(f, P_STRESS, body, c)[k] = 0.0;
+                visit(s, blk, body, (size_t)k, support_with(s, x));
             }
         }
+}
+
+static void set_free_mass(const mpm *s, int blk, int body, size_t k, int support)
+{
+    const fields *f = s->domain->fields[blk];
+    field_get(f, P_FREE_MASS, body, 0)[k] = support < 0 ? field_get(f, P_MASS, body, 0)[k] : 0.0;
+}
+
+floe_status mpm_find_free_points(mpm *s)
+{
+    visit_supported(s, set_free_mass);
+    return FLOE_OK;
+}
+
+static void relieve_point(const mpm *s, int blk, int body, size_t k, int support)
+{
+    const fields *f = s->domain->fields[blk];
+    for (int c = 0; support >= 0 && c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
+        field_get(f, P_STRESS, body, c)[k] = 0.0;
+}
+
+void relieve_supported_points(mpm *s)
+{
+    visit_supported(s, relieve_point);
 }
 
 floe_status supports_create(mpm *s)

@@ -14,6 +14,7 @@ typedef struct support_node {
     bool inside, led;                            /* the region has it; and it is led */
     int master[MESH_MAX_DIM], way[MESH_MAX_DIM]; /* of a led one: and how many nodes on, across periodic ends too */
     int anchor[MESH_MAX_DIM];                    /* the node before the master */
+    double whole[1 + MESH_MAX_DIM];              /* scratch: mass and momentum with those of points that it holds */
     double share,
         per_step; /* its distance from the surface over that of the master, negative in the region; and the same of one step */
 } support_node;
@@ -25,6 +26,10 @@ struct mpm_supports {
 
 /* Finds the nodes that they hold or lead at the beginning (support_find.c). Errors: FLOE_NO_MEMORY; FLOE_BAD_INPUT where a support holds none. */
 floe_status supports_create(mpm *s);
+/* Whether others push nodes inside regions: these then need the mass of what the support holds there. Kept, with the momentum, and put back. */
+bool supported_nodes_push(const mpm *s, int group);
+void keep_whole_masses(mpm *s, int group);
+void put_whole_masses(mpm *s, int group);
 /* Takes the initial stress from the points that belong to supports. */
 void relieve_supported_points(mpm *s);
 /* Finds the nodes again in each step, if some support moves. */
@@ -51,6 +56,10 @@ int supports_widen(const mpm *s);
 bool supports_take_points(const mpm *s, int body);
 /* The first support whose region has the place x (m); -1: none. */
 int support_with(const mpm *s, const double x[MESH_MAX_DIM]);
+/* The support with which a place on the surface of a group moves, and which bears the loads there; -1: none. */
+int support_with_surface(const mpm *s, int group, const double x[MESH_MAX_DIM]);
+/* Enters an impulse (N s) that a support gives at x (m). */
+void push_support(const mpm *s, int support, const double x[MESH_MAX_DIM], int c, double impulse);
 
 /* Gives the masters what points gave led nodes: masses and momenta, forces (support.c). */
 void fold_supports(mpm *s, int group, bool momentum, bool force);

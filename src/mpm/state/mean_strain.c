@@ -107,7 +107,8 @@ static patch_points patch_points_of(const mpm *s, int blk, int body, bool next)
 {
     const fields *f = s->domain->fields[blk];
     patch_points p = {.volume0 = field_get(f, P_VOLUME0, body, 0),
-                      .J = next ? field_next(f, P_J, body, 0) : field_get(f, P_J, body, 0)};
+                      .J = next ? field_next(f, P_J, body, 0) : field_get(f, P_J, body, 0),
+                      .free_mass = field_get(f, P_FREE_MASS, body, 0)};
     for (int a = 0; a < s->mesh->dim; ++a) p.x[a] = field_get(f, P_POS, body, a);
     return p;
 }

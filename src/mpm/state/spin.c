@@ -72,8 +72,8 @@ static void add_points(const mpm *s, const tile_box *t, const point_arrays *p, s
         for (int e = dim == 2 ? 2 : 0; e < 3; ++e) {
             const int a = (e + 1) % 3, b = (e + 2) % 3;
             const double carried = carries ? carried_spin(w, p, k, k - start, x, a, b, dim) : 0.0;
-            sum[SUM_MOMENT + e] += p->mass[k] * (x[a] * v[b] - x[b] * v[a] + carried);
-            sum[SUM_SIZE + e] += p->mass[k] * fabs((x[a] - middle[a]) * v[b] - (x[b] - middle[b]) * v[a] + carried);
+            sum[SUM_MOMENT + e] += p->all_mass[k] * (x[a] * v[b] - x[b] * v[a] + carried);
+            sum[SUM_SIZE + e] += p->all_mass[k] * fabs((x[a] - middle[a]) * v[b] - (x[b] - middle[b]) * v[a] + carried);
         }
     }
 }

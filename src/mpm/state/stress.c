@@ -5,7 +5,6 @@
 #include "geom/compound.h"
 #include "material/artificial_viscosity.h"
 #include "mpm/membrane/enclosed_gas.h"
-#include "mpm/nodes/supports.h"
 #include "mpm/state/region.h"
 #include "mpm/thermal/thermal_stress.h"
 #include "scene/state.h"
@@ -315,19 +314,6 @@ static double reference_work(const mpm *s, int blk, int body, size_t start, cons
     return s->scene->reference_pressure * swelling;
 }
 
-/* Points of supports do not strain. */
-static void still_supported(const mpm *s, int blk, int body, size_t start, solid_batch *b)
-{
-    const fields *f = s->domain->fields[blk];
-    if (!supports_take_points(s, body)) return;
-    for (size_t k = 0; k < b->n; ++k) {
-        double x[MESH_MAX_DIM] = {0.0};
-        for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[start + k];
-        if (support_with(s, x) < 0) continue;
-        for (int c = 0; c < 9; ++c) b->L[c][k] = 0.0;
-    }
-}
-
 /* Rates, deformation gradients and volumes over the step. */
 static void advance_shape(const mpm *s, int blk, int body, size_t start, solid_batch *b)
 {
@@ -349,7 +335,6 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
 {
     const mpm_body *m = &s->body[body];
     load_batch(s, blk, body, start, end, false, b);
-    still_supported(s, blk, body, start, b);
     advance_shape(s, blk, body, start, b);
     if (keeps_box(s, body)) swell_boxes(s, blk, body, start, b);
     scale_to_enclosed_volume(s, body, b);

@@ -12,7 +12,10 @@ enum {
     GAIN_BODY_FORCE,
     GAIN_IMPULSE,
     GAIN_MOMENT = GAIN_IMPULSE + MESH_MAX_DIM,
-    MPM_GAINS = GAIN_MOMENT + 3
+    GAIN_SUPPORT = GAIN_MOMENT + 3,
+    GAIN_SUPPORT_MOMENT = GAIN_SUPPORT + MESH_MAX_DIM,
+    GAIN_SUPPORT_WORK = GAIN_SUPPORT_MOMENT + 3,
+    MPM_GAINS
 };
 
 /* Strain, artificial viscosity, heating and the law, for points [start, end) whose L stands in the batch (stress.c). */

@@ -13,6 +13,12 @@ static int cell_in_tile(const mesh *m, const tile_box *t, const patch_points *p,
     return cell < 0 ? 0 : cell > last ? last : cell;
 }
 
+/* m3; 0 of points without a patch. */
+static double volume_of(const patch_points *p, size_t k)
+{
+    return is_patched(p, k) ? p->volume0[k] * p->J[k] : 0.0;
+}
+
 int patch_of_point(const mesh *m, const tile_box *t, const patch_points *p, size_t k)
 {
     int number = 0;
@@ -56,7 +62,7 @@ static void sum_patches(const mesh *m, const tile_box *t, const patch_points *p,
     memset(sum, 0, PATCHES_OF_TILE * sizeof *sum);
     for (size_t k = range[0]; k < range[1]; ++k) {
         patch_sums *own = &sum[patch_of_point(m, t, p, k)];
-        const double volume = p->volume0[k] * p->J[k];
+        const double volume = volume_of(p, k);
         own->volume += volume;
         own->cell[cell_in_patch(m, t, p, k)] += volume;
         for (int a = 0; a < m->dim; ++a) own->first[a] += volume * p->x[a][k];
@@ -65,7 +71,7 @@ static void sum_patches(const mesh *m, const tile_box *t, const patch_points *p,
         for (int a = 0; a < m->dim && sum[n].volume > 0.0; ++a) sum[n].first[a] /= sum[n].volume;
     for (size_t k = range[0]; k < range[1]; ++k) {
         patch_sums *own = &sum[patch_of_point(m, t, p, k)];
-        const double volume = p->volume0[k] * p->J[k];
+        const double volume = volume_of(p, k);
         for (int a = 0; a < m->dim; ++a)
             for (int b = 0; b <= a; ++b)
                 own->second[a][b] += volume * (p->x[a][k] - own->first[a]) * (p->x[b][k] - own->first[b]);
@@ -126,13 +132,13 @@ void patches_project(const mesh *m, const tile_box *t, const patch_points *p, co
     for (size_t k = range[0]; k < range[1]; ++k) {
         const int n = patch_of_point(m, t, p, k);
         patch_modes(m, t, &patch[n], p, k, phi);
-        for (int r = 0; r < patch[n].modes; ++r) moment[n][r] += p->volume0[k] * p->J[k] * phi[r] * value[k];
+        for (int r = 0; r < patch[n].modes; ++r) moment[n][r] += volume_of(p, k) * phi[r] * value[k];
     }
     for (size_t k = range[0]; k < range[1]; ++k) {
         const int n = patch_of_point(m, t, p, k);
         double sum = 0.0;
         patch_modes(m, t, &patch[n], p, k, phi);
-        for (int r = 0; r < patch[n].modes; ++r) sum += moment[n][r] * phi[r];
+        for (int r = 0; is_patched(p, k) && r < patch[n].modes; ++r) sum += moment[n][r] * phi[r];
         value[k] = sum;
     }
 }

@@ -25,10 +25,15 @@ typedef struct volume_patch {
                 [MESH_MAX_DIM]; /* phi_k = mean sum_a slope[k - 1][a] (x_a - centre_a), 1/m: a lower triangle */
 } volume_patch;
 
-/* Points of a body: their positions (m), volumes at rest (m3) and changes of volume since. */
+/* Points of a body: their positions (m), volumes at rest (m3) and changes of volume since. Those without free mass (kg; NULL: all have it) belong to no patch. */
 typedef struct patch_points {
-    const double *x[MESH_MAX_DIM], *volume0, *J;
+    const double *x[MESH_MAX_DIM], *volume0, *J, *free_mass;
 } patch_points;
+
+static inline bool is_patched(const patch_points *p, size_t k)
+{
+    return !p->free_mass || p->free_mass[k] > 0.0;
+}
 
 /* The patch of a tile, by its number there, in which a point is. */
 int patch_of_point(const mesh *m, const tile_box *t, const patch_points *p, size_t k);

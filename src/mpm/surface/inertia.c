@@ -101,7 +101,7 @@ static void describe_node(const mpm *s, inertia_node *n)
     }
 }
 
-static floe_status number_node(mpm *s, int group, const int node[3], int *number)
+static floe_status find_node(mpm *s, int group, const int node[3], int *number)
 {
     marker_inertia *t = s->surfaces->inertia;
     if (2 * ((size_t)t->n_nodes + 1) > t->slots) TRY(double_slots(s, t));
@@ -112,12 +112,35 @@ static floe_status number_node(mpm *s, int group, const int node[3], int *number
             TRY(memory_resize(s->ctx, &t->node, t->reserved_nodes, sizeof *t->node));
         }
         inertia_node *n = &t->node[t->n_nodes++];
-        *n = (inertia_node){.group = group, .node = {node[0], node[1], node[2]}};
+        *n = (inertia_node){.group = group, .node = {node[0], node[1], node[2]}, .master = -1};
         describe_node(s, n);
         *slot = t->n_nodes;
     }
     *number = *slot - 1;
     return FLOE_OK;
+}
+
+/* What leads a node; the place of its entry may change with that of its master. */
+static floe_status find_master(mpm *s, int number)
+{
+    const inertia_node n = s->surfaces->inertia->node[number];
+    const support_node *led = supports_lead_group(s, n.group) ? support_of(s, n.node) : NULL;
+    int master;
+    if (!led || !led->led) return FLOE_OK;
+    TRY(find_node(s, n.group, led->master, &master));
+    inertia_node *found = &s->surfaces->inertia->node[number];
+    found->master = master;
+    found->share = led->share;
+    for (int c = 0; c < s->mesh->dim; ++c)
+        found->own[c] = (1.0 - led->share) * s->scene->support[led->support].velocity[c];
+    return FLOE_OK;
+}
+
+static floe_status number_node(mpm *s, int group, const int node[3], int *number)
+{
+    const int before = s->surfaces->inertia->n_nodes;
+    TRY(find_node(s, group, node, number));
+    return *number < before ? FLOE_OK : find_master(s, *number);
 }
 
 /* ---- shares ---- */
@@ -141,17 +164,41 @@ static node_image image_of(const mpm *s, int group, int axis, int node)
     return (node_image){.n = 2, .at = {wall, inner}, .weight = {2.0, -1.0}};
 }
 
-static floe_status add_marker_share(mpm *s, int group, inertia_marker *m, const int node[3], const double factor[3])
+static floe_status add_marker_share(mpm *s, inertia_marker *m, int number, const double factor[3])
 {
     marker_inertia *t = s->surfaces->inertia;
-    int number;
-    TRY(number_node(s, group, node, &number));
     if ((size_t)t->n_shares == t->reserved_shares) {
         t->reserved_shares = 2 * t->reserved_shares + 1024;
         TRY(memory_resize(s->ctx, &t->share, t->reserved_shares, sizeof *t->share));
     }
     t->share[t->n_shares++] = (inertia_share){number, {factor[0], factor[1], factor[2]}};
     m->n++;
+    return FLOE_OK;
+}
+
+/* How a node of the mesh moves a marker: by the share r of its change, by a weight, and turned by mirrors. */
+typedef struct inertia_mover {
+    double moved, weight;
+    bool mirrored[3];
+} inertia_mover;
+
+/* The motion of a led node is its master's, and so is a force on it. */
+static floe_status add_mover(mpm *s, int group, inertia_marker *m, const int node[3], const inertia_mover *by)
+{
+    const marker_inertia *t = s->surfaces->inertia;
+    int number;
+    double factor[3];
+    TRY(number_node(s, group, node, &number));
+    const inertia_node led = t->node[number];
+    const bool leads = led.master >= 0;
+    const double share = leads ? led.share : 1.0;
+    for (int c = 0; c < 3; ++c) factor[c] = (by->mirrored[c] ? -1.0 : 1.0) * sqrt(by->moved) * by->weight * share;
+    TRY(add_marker_share(s, m, leads ? led.master : number, factor));
+    const inertia_node *n = &t->node[leads ? led.master : number];
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const double v = share * (n->before[c] + by->moved * (n->to[c] - n->before[c])) + led.own[c];
+        m->velocity[c] += (by->mirrored[c] ? -by->weight : by->weight) * v;
+    }
     return FLOE_OK;
 }
 
@@ -166,13 +213,8 @@ static floe_status add_inertia_node(mpm *s, int group, inertia_marker *m, const 
             for (int i = 0; i < image[0].n; ++i) {
                 const int at[3] = {image[0].at[i], image[1].at[j], image[2].at[k]};
                 const double w = weight * image[0].weight[i] * image[1].weight[j] * image[2].weight[k];
-                double factor[3];
-                for (int c = 0; c < 3; ++c) factor[c] = (image[c].mirrored ? -1.0 : 1.0) * sqrt(moved) * w;
-                TRY(add_marker_share(s, group, m, at, factor));
-                const marker_inertia *t = s->surfaces->inertia;
-                const inertia_node *n = &t->node[t->share[t->n_shares - 1].node];
-                for (int c = 0; c < s->mesh->dim; ++c)
-                    m->velocity[c] += (image[c].mirrored ? -w : w) * (n->before[c] + moved * (n->to[c] - n->before[c]));
+                const inertia_mover by = {moved, w, {image[0].mirrored, image[1].mirrored, image[2].mirrored}};
+                TRY(add_mover(s, group, m, at, &by));
             }
     return FLOE_OK;
 }
@@ -192,6 +234,11 @@ static floe_status add_marker(mpm *s, int vertex)
         motion_of_place(s, m->motion, x, next, m->velocity, path);
         if (s->forces_at_end) motion_sweep(s, m->motion, x, m->velocity); /* theory 7.8 */
         for (int a = 0; a < 3; ++a) m->arm[a] = x[a] - m->motion->now.c[a];
+        return FLOE_OK;
+    }
+    const int support = support_with_surface(s, group, x);
+    if (support >= 0) {
+        memcpy(m->velocity, s->scene->support[support].velocity, sizeof m->velocity);
         return FLOE_OK;
     }
     const surface_shares st = surface_shares_at(s, group, x);

@@ -7,9 +7,11 @@
 #include "mpm/motion/motion.h"
 #include "mpm/mpm.h"
 
-/* A node, by global index, that moves markers. */
+/* A node, by global index, that moves markers. One that a support leads does so by `share` of the motion of its master, the rest being the support's own
+ * velocity (theory 4.13). */
 typedef struct inertia_node {
-    int group, node[3];
+    int group, node[3], master; /* master: by its number; -1: it is not led */
+    double share, own[3];       /* m/s */
     double give[3]; /* m/s per N: change of velocity in the step; 0: a wall holds it, or it is too light for forces */
     double before[3], to[3]; /* m/s: velocity, and that at the end of the step by the forces so far */
     double force[3];         /* N: scratch; 0 between uses */

@@ -347,7 +347,7 @@ void scatter_markers(mpm *s, int group, const double *force)
 {
     const surface_markers *k = &s->surfaces->markers;
     for (size_t n = 0; n < k->n; ++n)
-        if (k->group[n] == group) add_surface_force(s, group, k->now[n].x, force + 3 * n);
+        if (k->group[n] == group) push_marker(s, group, k->now[n].x, force + 3 * n);
 }
 
 void scatter_marker_heat(mpm *s, int group)

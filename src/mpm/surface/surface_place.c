@@ -4,6 +4,7 @@
 #include "math/small_solve.h"
 #include "mpm/motion/motion.h"
 #include "mpm/nodes/node.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/transfer/stencil.h"
 
 #include <math.h>
@@ -131,6 +132,16 @@ void add_surface_force(const mpm *s, int group, const double x[3], const double 
     }
 }
 
+void push_marker(const mpm *s, int group, const double x[3], const double force[3])
+{
+    const int support = support_with_surface(s, group, x);
+    if (support < 0) {
+        add_surface_force(s, group, x, force);
+        return;
+    }
+    for (int a = 0; a < s->mesh->dim; ++a) push_support(s, support, x, a, -s->kick * force[a]);
+}
+
 /* Sums over the nodes of a place: of heat that is given, or of a temperature that is asked for. */
 typedef struct surface_heat {
     double *change, given;
@@ -221,10 +232,22 @@ static surface_motion rigid_surface_motion(const mpm *s, const body_motion *moti
     return out;
 }
 
+static surface_motion moved_with(const mpm *s, const double velocity[3])
+{
+    surface_motion out;
+    for (int a = 0; a < 3; ++a) {
+        out.velocity[a] = out.working[a] = out.after[a] = velocity[a];
+        out.displacement[a] = s->dt * velocity[a];
+    }
+    return out;
+}
+
 surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
 {
     const body_motion *motion = motion_of_group(s, group);
     if (motion) return rigid_surface_motion(s, motion, x);
+    const int support = support_with_surface(s, group, x);
+    if (support >= 0) return moved_with(s, s->scene->support[support].velocity);
     const int b = place_block(s, x);
     motion_sum m = {.dim = s->mesh->dim, .kick = s->kick, .undamped = damping_left(s), .follows = walls_are_stiff(s)};
     for (int a = 0; a < m.dim; ++a) {

@@ -3,6 +3,7 @@
 
 #include "math/tensor.h"
 #include "mpm/loads/point_loads.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/surface/surface_facets.h"
 #include "mpm/surface/surfaces.h"
 #include "scene/state.h"
@@ -88,13 +89,16 @@ static void load_facet(const mpm *s, const surface_facet *f)
     }
 }
 
-/* Forces of loads on the corners of a group. */
+/* Forces of loads on the corners of a group; those in the region of a support act on nothing. */
 static void find_corner_forces(mpm *s, int group)
 {
     struct mpm_surfaces *w = s->surfaces;
     memset(w->corner_force, 0, 3 * w->n_corners * sizeof *w->corner_force);
     for (size_t k = 0; k < w->n_facets; ++k)
         if (w->facet[k].use == SURFACE_LOADED && s->body_group[w->facet[k].body] == group) load_facet(s, &w->facet[k]);
+    for (size_t k = 0; k < w->n_corners && s->scene->n_supports > 0; ++k)
+        if (support_with_surface(s, group, &w->corner[3 * k]) >= 0)
+            memset(&w->corner_force[3 * k], 0, 3 * sizeof(double));
 }
 
 static bool is_nothing(const double force[3])

@@ -184,7 +184,7 @@ static void add_forces(mpm *s)
         for (int n = 0; n < t->n_markers; ++n) {
             const int vertex = t->marker[n].vertex;
             if (s->surfaces->markers.group[vertex] == g)
-                add_surface_force(s, g, s->surfaces->markers.now[vertex].x, t->marker[n].force);
+                push_marker(s, g, s->surfaces->markers.now[vertex].x, t->marker[n].force);
         }
         fold_forces(s, g);
         move_forces(s, g, true);

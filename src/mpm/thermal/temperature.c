@@ -92,7 +92,7 @@ static void give_heat_of_tile(mpm *s, int group, int blk, int tile)
             double gradient[3] = {0.0, 0.0, 0.0};
             for (int a = 0; a < s->mesh->dim && s->body[body].conductivity > 0.0; ++a)
                 gradient[a] = field_get(f, P_TEMP_GRADIENT, body, a)[k];
-            give_heat(s, &frame, &p, k, p.mass[k] * s->body[body].specific_heat, T[k], gradient, count, out);
+            give_heat(s, &frame, &p, k, p.all_mass[k] * s->body[body].specific_heat, T[k], gradient, count, out);
         }
     }
     s->windows->active[box.number] = any;

@@ -69,7 +69,8 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
     }
     for (int c = 0; c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
         p.stress[c] = next_stress ? field_next(f, P_STRESS, body, c) : field_get(f, P_STRESS, body, c);
-    p.mass = field_get(f, s->burnt && s->body[body].burns ? P_MASS_LEFT : P_MASS, body, 0);
+    p.all_mass = field_get(f, s->burnt && s->body[body].burns ? P_MASS_LEFT : P_MASS, body, 0);
+    p.mass = fields_has(f, P_FREE_MASS, body) ? field_get(f, P_FREE_MASS, body, 0) : p.all_mass;
     p.volume0 = field_get(f, P_VOLUME0, body, 0);
     p.J = next_stress ? field_next(f, P_J, body, 0) : field_get(f, P_J, body, 0);
     p.q = next_stress ? field_next(f, P_VISCOUS_PRESSURE, body, 0) : field_get(f, P_VISCOUS_PRESSURE, body, 0);

@@ -15,6 +15,7 @@ struct mpm;
 typedef struct point_arrays {
     const double *x[3], *v[3], *half[3]; /* m, m/s, m */
     const double *mass, *volume0, *J;    /* kg, m3, 1 */
+    const double *all_mass;              /* kg: of points that supports hold, too (nodes/supports.h) */
     const double *stress[6];             /* Pa, 1-D xx yy zz; 2-D xx yy zz xy; 3-D xx yy zz xy yz zx */
     const double *q, *grid_pressure;     /* Pa */
     const double *affine[9];             /* 1/s, d x d by rows: C_p (transfer.h) */

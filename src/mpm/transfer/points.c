@@ -9,6 +9,7 @@
 #include "mpm/mpm_constants.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/light_nodes.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/nodes/wall.h"
 #include "mpm/state/mean_strain.h"
 #include "mpm/state/stress.h"
@@ -213,19 +214,54 @@ static void find_shared_rates(mpm *s, int blk, int body, const tile_box *t, cons
     share_rates(s, blk, body, t, range);
 }
 
+static bool has_supported_points(const mpm *s, int blk, int body)
+{
+    return fields_has(s->domain->fields[blk], P_FREE_MASS, body);
+}
+
+/* Points that a support holds do not strain. */
+static void still_supported(const point_arrays *p, size_t start, size_t end, solid_batch *batch)
+{
+    for (size_t k = start; k < end; ++k)
+        for (int c = 0; p->mass[k] == 0.0 && c < 9; ++c) batch->L[c][k - start] = 0.0;
+}
+
+/* They move with it; the first time it makes them. */
+static void carry_supported(const mpm *s, const point_arrays *p, const gather_result *out, size_t start, size_t end,
+                            double gain[MPM_GAINS])
+{
+    for (size_t k = start; k < end; ++k) {
+        double x[MESH_MAX_DIM] = {0.0};
+        if (p->mass[k] != 0.0) continue;
+        for (int a = 0; a < s->mesh->dim; ++a) x[a] = p->x[a][k];
+        const double *v = s->scene->support[support_with(s, x)].velocity;
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            const double impulse = p->all_mass[k] * (v[a] - p->v[a][k]);
+            gain[GAIN_SUPPORT + a] += impulse;
+            gain[GAIN_SUPPORT_WORK] += impulse * v[a];
+            add_moment(gain + GAIN_SUPPORT_MOMENT, x, a, impulse);
+            out->v_next[a][k] = v[a];
+            out->x_next[a][k] = x[a] + s->dt * v[a];
+        }
+    }
+}
+
 /* One body's points in one tile, by chunks that stay in the first cache from the nodes to the stress. */
 static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const size_t range[2], tile_pass pass,
                              const pass_window *window, solid_batch *batch, double *gain)
 {
     const point_arrays p = points_of(s, blk, body, false, pass.motion && !pass.sample && s->transfer->filter);
     const tile_gather g = gather_of(s, blk, body, pass, window, batch);
+    const bool supported = has_supported_points(s, blk, body);
     if (pass.stress && shares_over_patches(s, body)) find_shared_rates(s, blk, body, t, range, &g, batch);
     for (size_t k = range[0], stop; k < range[1]; k = stop) {
         stop = mean_strain_chunk(s, body, p.x, k, range[1]);
         if (pass.stress) clear_free_rates(s, batch);
         g.kernel(s->mesh, t, &p, k, stop, g.window, &g.step, &g.out);
+        if (supported && (pass.carry || pass.stress)) still_supported(&p, k, stop, batch);
         if (pass.carry) store_affine(s, blk, body, k, stop, batch);
         if (pass.sample) continue;
+        if (pass.motion && supported) carry_supported(s, &p, &g.out, k, stop, gain);
         if (pass.motion) add_fall(s, &p, &g.out, k, stop, gain);
         if (pass.motion) TRY(check_motion(s, body, t->number, motion_of(s->mesh, k, stop, &p, &g.out)));
         if (!pass.stress) continue;
@@ -264,6 +300,10 @@ static void enter_gains(mpm *s)
     for (int a = 0; a < s->mesh->dim; ++a)
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, sum[GAIN_IMPULSE + a]);
     ledger_turn(s->ledger, LEDGER_SOURCE, sum + GAIN_MOMENT, 1.0);
+    for (int a = 0; a < s->mesh->dim; ++a)
+        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, sum[GAIN_SUPPORT + a]);
+    ledger_turn(s->ledger, LEDGER_BOUNDARY, sum + GAIN_SUPPORT_MOMENT, 1.0);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, sum[GAIN_SUPPORT_WORK]);
 }
 
 /* Runs a pass over every tile; the first failure wins, and the others stop early. */
