@@ -313,6 +313,7 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_free_swing(s, say, user);
     remark_heat(s, say, user);
     remark_joints(s, say, user);
+    remark_supports(s, say, user);
     remark_columns(s, say, user);
     remark_sources(s, say, user);
     remark_one_velocity(s, say, user);

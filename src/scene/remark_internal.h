@@ -42,6 +42,9 @@ void remark_sources(const scene *s, remark_sink *say, void *user);
 /* Of heat that solids neither get nor give. */
 void remark_heat(const scene *s, remark_sink *say, void *user);
 
+/* Of what supports constrain at nodes behind their surface. */
+void remark_supports(const scene *s, remark_sink *say, void *user);
+
 /* Of solids that stick to bodies which do not deform. */
 void remark_joints(const scene *s, remark_sink *say, void *user);
 

@@ -112,6 +112,29 @@ damping: {rate: 3}
 time: {end: 8}
 output: {interval: 8, tracers: {middle: {body: bar, position: 0.5}}}
 END
+# A support constrains a bar among points of water at nodes 0.7 of a cell behind its surface, which is said, with what that does; not where the region ends just beyond nodes.
+cat >wet.yaml <<'END'
+floe: 1
+units: none
+coupling: mpm
+domain: {dim: 2, lower: [-0.185, -0.2], upper: [1.215, 0.2], cell: 0.05}
+boundaries: {x: symmetry, y: {lower: symmetry, upper: free}}
+materials:
+  rubber: {density: 1000, law: {linear_elastic: {bulk_modulus: 1e6, shear_modulus: 0.5e6}}}
+  water: {eos: {acoustic: {density: 1000, sound_speed: 50, pressure: 0, specific_heat: 1000}}}
+bodies:
+  beam: {material: rubber, shape: {box: {lower: [-0.15, -0.05], upper: [1, 0.05]}}}
+  pool: {material: water, shape: {box: {lower: [-0.185, -0.2], upper: [1.215, -0.05]}}, pressure: 0, temperature: 300}
+supports: {wall: {region: {box: {lower: [-9, -9], upper: [0, 9]}}}}
+method: {transfer: afmpm}
+time: {end: 1}
+END
+expect 0 "$FLOE" check wet.yaml
+has stderr "wet.yaml:12:12: supports.wall: body 'beam' has one velocity with fluids on points and is constrained at the nodes inside the region, up to 0.7 of a cell behind its surface, as at (0, -0.1, 0)"
+has stderr "a cantilever of 20 cells by 16 % too much"
+expect 0 "$FLOE" check wet.yaml --set 'domain.lower=[-0.201, -0.2]' --set 'domain.upper=[1.199, 0.2]' \
+    --set 'bodies.pool.shape.box={lower: [-0.201, -0.2], upper: [1.199, -0.05]}'
+if grep -q 'constrained at the nodes' stderr; then fault 'a support whose region ends beyond nodes is warned of'; fi
 stress() { awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^middle_stress_xx/) at = i } END { print $at / 0.2066667 }' out/history.csv; }
 expect 0 "$FLOE" check drawn.yaml
 has stderr "drawn.yaml:8:3: bodies.bar: body 'bar' sticks to body 'grip', which does not deform"
