@@ -109,11 +109,13 @@ static void remark_support(remark_speaker *w, const scene_support *support, int 
     else
         remark_key(
             w,
-            "body '%s' has one velocity with fluids on points and is constrained at the nodes inside the region, "
-            "up to %.2g of a cell behind its surface, as at (%.4g, %.4g, %.4g): it bends as a longer one, a "
-            "cantilever of 20 cells by %.0f %% too much. Let the region end 0.01 to %.2g of a cell beyond nodes "
-            "(4 to 7 %%), or refine",
-            b->name, d.cells, d.at[0], d.at[1], d.at[2], 4.0 + 17.5 * d.cells, close_enough);
+            "body '%s' %s and is constrained at the nodes inside the region, up to %.2g of a cell behind its "
+            "surface, as at (%.4g, %.4g, %.4g): it bends as a longer one, a cantilever of 20 cells by %.0f %% too "
+            "much. Let the region end 0.01 to %.2g of a cell beyond nodes (4 to 7 %%), or refine",
+            b->name,
+            scene_drives_beside_implicit(s) ? "meets supports that move beside an implicit pressure"
+                                            : "has one velocity with fluids on points",
+            d.cells, d.at[0], d.at[1], d.at[2], 4.0 + 17.5 * d.cells, close_enough);
 }
 
 void remark_supports(const scene *s, remark_sink *say, void *user)
@@ -122,7 +124,7 @@ void remark_supports(const scene *s, remark_sink *say, void *user)
     for (int k = 0; k < s->n_supports; ++k)
         for (int body = 0; body < s->n_bodies; ++body) {
             const scene_material *m = &s->material[s->body[body].material];
-            if (m->membrane || (remark_is_solid(m) && is_among_fluids(s, body)))
+            if (m->membrane || (remark_is_solid(m) && (is_among_fluids(s, body) || scene_drives_beside_implicit(s))))
                 remark_support(&w, &s->support[k], body);
         }
 }

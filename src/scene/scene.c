@@ -145,6 +145,14 @@ static bool rests_with_fluid(const scene *s)
 /* Steps that are solved for, contact and membranes have their own rules, other times of the stress and filtered velocities another order of
  * the step. With CPDI points at a wall reach corner by corner to nodes of next to no fluid, which
  * throw them (4 of 28 random scenes of gas, blocks and balls). */
+bool scene_drives_beside_implicit(const scene *s)
+{
+    bool moves = false;
+    for (int k = 0; k < s->n_supports; ++k)
+        for (int a = 0; a < 3; ++a) moves = moves || s->support[k].velocity[a] != 0.0;
+    return moves && s->coupling == COUPLING_ICE_MPM && s->method.pressure == PRESSURE_IMPLICIT;
+}
+
 bool scene_fluids_apart(const scene *s)
 {
     const char *transfer = scene_transfer(s);

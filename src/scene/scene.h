@@ -500,6 +500,8 @@ int scene_enclosing_bodies(const scene *s, int body[SCENE_MAX_ENCLOSING]);
 bool scene_is_cut(const scene *s);
 /* Whether a body takes part in the scene's contact. */
 bool scene_in_contact(const scene *s, int body);
+/* Whether supports move beside an implicit pressure: they lead no nodes then (theory 4.13). */
+bool scene_drives_beside_implicit(const scene *s);
 /* Sets what no result of a single run depends on to one value: title, threads, and what only batches read. For telling scenes apart
  * by their decks. */
 void scene_keep_run(scene *s);

@@ -30,10 +30,10 @@ int support_with(const mpm *s, const double x[MESH_MAX_DIM])
     return -1;
 }
 
-/* Fluids are not to be led; where cells share the mass of nodes (smeared) decks have no supports. */
+/* Fluids are not to be led, nor solids that supports drive beside an implicit pressure, which then does not find the volumes; where cells share the mass of nodes (smeared) decks have no supports. */
 bool supports_lead_group(const mpm *s, int group)
 {
-    bool all = s->cells != CELLS_SMEARED, any = false;
+    bool all = s->cells != CELLS_SMEARED && !scene_drives_beside_implicit(s->scene), any = false;
     for (int body = 0; body < s->n_bodies; ++body) {
         if (s->body[body].group != group) continue;
         all = all && !s->body[body].fluid;
