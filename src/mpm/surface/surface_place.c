@@ -132,6 +132,11 @@ void add_surface_force(const mpm *s, int group, const double x[3], const double 
     }
 }
 
+bool place_is_supported(const mpm *s, int group, const double x[3])
+{
+    return support_with_surface(s, group, x) >= 0;
+}
+
 void push_marker(const mpm *s, int group, const double x[3], const double force[3])
 {
     const int support = support_with_surface(s, group, x);

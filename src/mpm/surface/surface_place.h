@@ -10,6 +10,8 @@ typedef double node_displacement(const mpm *s, int group, const int node[MESH_MA
 void displace_position(const mpm *s, int group, const double x[3], node_displacement *displacement, double out[3]);
 /* Adds a force (N) on a body's surface to nodes of its group with mass. */
 void add_surface_force(const mpm *s, int group, const double x[3], const double force[3]);
+/* Whether a place on a surface belongs to a support, so that loads there act on nothing. */
+bool place_is_supported(const mpm *s, int group, const double x[3]);
 /* The same of a marker on which gas acts: a support takes what acts in its region. */
 void push_marker(const mpm *s, int group, const double x[3], const double force[3]);
 /* Adds heat (W) on a body's surface to N_TEMP_CHANGE, likewise. */

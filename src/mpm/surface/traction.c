@@ -3,7 +3,6 @@
 
 #include "math/tensor.h"
 #include "mpm/loads/point_loads.h"
-#include "mpm/nodes/supports.h"
 #include "mpm/surface/surface_facets.h"
 #include "mpm/surface/surfaces.h"
 #include "scene/state.h"
@@ -97,8 +96,7 @@ static void find_corner_forces(mpm *s, int group)
     for (size_t k = 0; k < w->n_facets; ++k)
         if (w->facet[k].use == SURFACE_LOADED && s->body_group[w->facet[k].body] == group) load_facet(s, &w->facet[k]);
     for (size_t k = 0; k < w->n_corners && s->scene->n_supports > 0; ++k)
-        if (support_with_surface(s, group, &w->corner[3 * k]) >= 0)
-            memset(&w->corner_force[3 * k], 0, 3 * sizeof(double));
+        if (place_is_supported(s, group, &w->corner[3 * k])) memset(&w->corner_force[3 * k], 0, 3 * sizeof(double));
 }
 
 static bool is_nothing(const double force[3])
