@@ -309,7 +309,8 @@ static floe_status implicit_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_implicit_solve,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(meets_at_points(s), N_REACH), P_MASS,
                 P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->carries[P_DRIVE], P_DRIVE), POINT_STATE, EXPANDING),
-          WRITES(P_POS, P_VEL, POINT_STATE, WHEN(s->carries[P_STRESS_FREE], P_TEMP), WHEN(has_edges(s), N_FILL)));
+          WRITES(N_FORCE, P_POS, P_VEL, POINT_STATE, WHEN(s->carries[P_STRESS_FREE], P_TEMP),
+                 WHEN(has_edges(s), N_FILL)));
     return FLOE_OK;
 }
 
