@@ -47,6 +47,9 @@ typedef struct enclosed_gas {
     bool open;           /* its mass changes so that the pressure is `scheduled` */
     double *
         unit_force; /* on the grid, N/Pa: nodal forces of a unit pressure, which are the gradient of its volume (m2). Owned */
+    double
+        *marker_force; /* N/Pa, three a marker: the same on the markers of walls of gas on cells; NULL: none. Owned */
+    double swept;      /* m3: by what its walls, where they follow the displacement, have enlarged it */
     double mass, volume0; /* kg; m3: of the points at rest, or of the gas on cells at the start */
     double mass_first;    /* kg */
     double density_rest;  /* kg/m3: of an open one, at its pressure */

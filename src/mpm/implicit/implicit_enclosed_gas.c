@@ -7,7 +7,6 @@
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/loads/point_loads.h"
 #include "mpm/state/region.h"
-#include "mpm/surface/traction.h"
 #include "mpm/transfer/scratch.h"
 #include "scene/state.h"
 
@@ -32,7 +31,10 @@ floe_status enclosed_gases_find(mpm *s)
 
 void enclosed_gases_free(mpm *s)
 {
-    for (int r = 0; r < s->implicit->n_gases; ++r) memory_free(s->ctx, &s->implicit->gas_set[r].unit_force);
+    for (int r = 0; r < s->implicit->n_gases; ++r) {
+        memory_free(s->ctx, &s->implicit->gas_set[r].unit_force);
+        memory_free(s->ctx, &s->implicit->gas_set[r].marker_force);
+    }
     memory_free(s->ctx, &s->implicit->gas_set);
 }
 
@@ -220,7 +222,7 @@ floe_status enclosed_gases_force(mpm *s, const double *u, double *gas_force)
     memset(gas_force, 0, w->components * sizeof *gas_force);
     for (int k = 0; k < w->n_gases; ++k) {
         enclosed_gas *r = &w->gas_set[k];
-        TRY(enclosed_gas_set(s, r, r->body < 0 ? dot_product(w, r->unit_force, u) : surface_swept(s, k)));
+        TRY(enclosed_gas_set(s, r, r->body >= 0 || r->marker_force ? r->swept : dot_product(w, r->unit_force, u)));
         const double pressure = r->pressure - s->scene->reference_pressure;
         for (size_t i = 0; i < w->components; ++i) gas_force[i] += pressure * r->unit_force[i];
     }

@@ -22,7 +22,10 @@ floe_status enclosed_gases_from_cells(mpm *s)
         w->n_gases = r + 1;
         TRY(memory_new(s->ctx, &w->gas_set[r].unit_force, w->components, sizeof *w->gas_set[r].unit_force));
     }
-    for (int r = s->n_gases; r < w->n_gases; ++r) memory_free(s->ctx, &w->gas_set[r].unit_force);
+    for (int r = s->n_gases; r < w->n_gases; ++r) {
+        memory_free(s->ctx, &w->gas_set[r].unit_force);
+        memory_free(s->ctx, &w->gas_set[r].marker_force);
+    }
     w->n_gases = s->n_gases;
     return FLOE_OK;
 }

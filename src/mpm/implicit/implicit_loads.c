@@ -1,5 +1,6 @@
 /* External nodal forces of an implicit step: loads, enclosed gases, gas on cells; on surfaces as the displacement has turned and stretched them, and
  * the stiffness that this makes (theory 9.1); and nodal masses. */
+#include "base/memory.h"
 #include "mpm/implicit/implicit.h"
 #include "mpm/loads/point_loads.h"
 #include "mpm/surface/surface_facets.h"
@@ -31,6 +32,24 @@ static void collect_forces(mpm *s, int group, double *out)
     implicit_collect(s, N_FORCE, group, out);
 }
 
+/* The nodal forces of a unit pressure of a gas on its walls as they are now, and what these have swept. */
+static void press_walls(mpm *s, int r)
+{
+    enclosed_gas *gas = &s->implicit->gas_set[r];
+    if (gas->body < 0 && !gas->marker_force) return;
+    memset(gas->unit_force, 0, s->implicit->components * sizeof *gas->unit_force);
+    if (gas->body < 0) turn_marker_forces(s, s->gas[r].unit_force, gas->marker_force);
+    gas->swept = gas->body < 0 ? swept_by_markers(s, s->gas[r].unit_force, gas->marker_force) : surface_swept(s, r);
+    for (int g = 0; g < s->n_groups; ++g) {
+        clear_forces(s, g);
+        if (gas->body < 0)
+            scatter_markers(s, g, gas->marker_force);
+        else
+            scatter_gas_pressure(s, g, r);
+        collect_forces(s, g, gas->unit_force);
+    }
+}
+
 void implicit_load_surfaces(mpm *s, const double *u, double *external)
 {
     struct mpm_implicit *w = s->implicit;
@@ -42,21 +61,22 @@ void implicit_load_surfaces(mpm *s, const double *u, double *external)
         scatter_surfaces(s, g);
         collect_forces(s, g, external);
     }
-    for (int r = 0; r < w->n_gases; ++r) {
-        if (w->gas_set[r].body < 0) continue; /* of cells: they are asked once (mpm_implicit_loads) */
-        memset(w->gas_set[r].unit_force, 0, w->components * sizeof *w->gas_set[r].unit_force);
-        for (int g = 0; g < s->n_groups; ++g) {
-            clear_forces(s, g);
-            scatter_gas_pressure(s, g, r);
-            collect_forces(s, g, w->gas_set[r].unit_force);
-        }
-    }
+    displace_markers(s, implicit_displacement);
+    for (int r = 0; r < w->n_gases; ++r) press_walls(s, r);
+}
+
+/* Whether anything presses on surfaces that follow: of gas on cells with a smeared interface nothing does (implicit_gas.c). */
+static bool any_follows(const mpm *s)
+{
+    bool any = s->surfaces->pressed;
+    for (int r = 0; r < s->implicit->n_gases; ++r) any = any || s->implicit->gas_set[r].marker_force;
+    return any;
 }
 
 void implicit_follow_surfaces(mpm *s, const double *u)
 {
     struct mpm_implicit *w = s->implicit;
-    if (!s->surfaces->pressed) return;
+    if (!any_follows(s)) return;
     memcpy(w->external, w->steady, w->components * sizeof *w->external);
     implicit_load_surfaces(s, u, w->external);
     implicit_drop_unreached(w, w->external);
@@ -93,14 +113,10 @@ floe_status mpm_implicit_loads(mpm *s)
 {
     TRY(enclosed_gases_from_cells(s));
     for (int r = 0; r < s->implicit->n_gases; ++r) {
-        memset(s->implicit->gas_set[r].unit_force, 0, s->implicit->components * sizeof(double));
-        for (int g = 0; g < s->n_groups; ++g) {
-            if (!s->gas || !s->gas[r].unit_force) continue;
-            clear_forces(s, g);
-            scatter_markers(s, g, s->gas[r].unit_force);
-            fold_forces(s, g);
-            implicit_collect(s, N_FORCE, g, s->implicit->gas_set[r].unit_force);
-        }
+        enclosed_gas *gas = &s->implicit->gas_set[r];
+        memset(gas->unit_force, 0, s->implicit->components * sizeof *gas->unit_force);
+        if (s->gas && s->gas[r].unit_force)
+            TRY(memory_resize(s->ctx, &gas->marker_force, 3 * s->surfaces->markers.n, sizeof *gas->marker_force));
     }
     if (s->implicit->external_first) collect_first_loads(s);
     collect_loads(s, s->implicit->external);
@@ -184,8 +200,22 @@ static void assemble_facet(const mpm *s, const pressed_facet *f, node_matrix *m)
         }
 }
 
+/* Each marker with its share of the area of a gas on cells is a facet of its own. */
+static void assemble_markers(const mpm *s, const enclosed_gas *gas, node_matrix *m)
+{
+    const surface_markers *k = &s->surfaces->markers;
+    const double pressure = gas->pressure - s->scene->reference_pressure;
+    for (size_t n = 0; n < k->n && pressure != 0.0; ++n) {
+        const double *area = gas->marker_force + 3 * n, *x = k->now[n].x;
+        const pressed_facet f = {{x[0], x[1], x[2]}, {area[0], area[1], area[2]}, pressure, k->group[n]};
+        if (area[0] != 0.0 || area[1] != 0.0 || area[2] != 0.0) assemble_facet(s, &f, m);
+    }
+}
+
 void implicit_assemble_surfaces(const mpm *s, node_matrix *m)
 {
+    for (int r = 0; r < s->implicit->n_gases; ++r)
+        if (s->implicit->gas_set[r].marker_force) assemble_markers(s, &s->implicit->gas_set[r], m);
     if (!s->surfaces->pressed) return;
     for (size_t k = 0; k < s->surfaces->n_facets; ++k) {
         const surface_facet *f = &s->surfaces->facet[k];

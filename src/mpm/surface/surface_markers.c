@@ -385,6 +385,70 @@ void displace_markers(mpm *s, node_displacement *displacement)
     }
 }
 
+/* Adds to the ends of a segment what the surface has of area vectors there. */
+static void add_segment_area(const mpm *s, const surface_marker *at, int p, int q, double *area)
+{
+    const double *x = at[p].x, *y = at[q].x;
+    double along[2];
+    for (int a = 0; a < 2; ++a) along[a] = y[a] + mesh_to_image(s->mesh, a, y[a], x[a]) - x[a];
+    const bool about_axis = s->mesh->geometry == MESH_AXISYMMETRIC;
+    const double share[2] = {about_axis ? (2.0 * x[0] + y[0]) / 6.0 : 0.5,
+                             about_axis ? (x[0] + 2.0 * y[0]) / 6.0 : 0.5};
+    const int end[2] = {p, q};
+    for (int e = 0; e < 2; ++e) {
+        area[3 * end[e]] += share[e] * along[1];
+        area[3 * end[e] + 1] -= share[e] * along[0];
+    }
+}
+
+static void add_triangle_area(const mpm *s, const surface_marker *at, const int vertex[3], double *area)
+{
+    double x[3][3], normal[3];
+    for (int v = 0; v < 3; ++v)
+        for (int a = 0; a < 3; ++a) {
+            const double near = at[vertex[0]].x[a], here = at[vertex[v]].x[a];
+            x[v][a] = here + mesh_to_image(s->mesh, a, here, near);
+        }
+    triangle_normal(x[0], x[1], x[2], normal);
+    for (int v = 0; v < 3; ++v) vec_add_scaled(1.0 / 6.0, normal, area + 3 * vertex[v]);
+}
+
+/* The share of each marker of the area vectors about it; on a line 1. */
+static void find_marker_areas(const mpm *s, const surface_marker *at, double *area)
+{
+    const surface_markers *k = &s->surfaces->markers;
+    memset(area, 0, 3 * k->n * sizeof *area);
+    for (size_t n = 0; n < k->n && s->mesh->dim == 1; ++n) area[3 * n] = 1.0;
+    for (int c = 0; c < k->n_chains && s->mesh->dim == 2; ++c)
+        for (int n = 0; n + (k->chain[c].closed ? 0 : 1) < k->chain[c].n; ++n)
+            add_segment_area(s, at, k->chain[c].first + n, k->chain[c].first + (n + 1) % k->chain[c].n, area);
+    for (int t = 0; t < k->n_triangles; ++t) add_triangle_area(s, at, k->triangle[t].vertex, area);
+}
+
+/* What of a force is along the area of its marker turns and stretches with it. */
+void turn_marker_forces(const mpm *s, const double *force, double *out)
+{
+    const surface_markers *k = &s->surfaces->markers;
+    double *first = k->path, *last = out;
+    find_marker_areas(s, k->now, first);
+    find_marker_areas(s, k->next, last);
+    for (size_t n = 0; n < k->n; ++n) {
+        const double square = vec_dot(first + 3 * n, first + 3 * n),
+                     share = square > 0.0 ? vec_dot(force + 3 * n, first + 3 * n) / square : 0.0;
+        for (size_t a = 3 * n; a < 3 * n + 3; ++a) out[a] = force[a] + share * (last[a] - first[a]);
+    }
+}
+
+double swept_by_markers(const mpm *s, const double *first, const double *last)
+{
+    const surface_markers *k = &s->surfaces->markers;
+    double sum = 0.0;
+    for (size_t n = 0; n < k->n; ++n)
+        for (size_t a = 0; a < 3; ++a)
+            sum += 0.5 * (first[3 * n + a] + last[3 * n + a]) * (k->next[n].x[a] - k->now[n].x[a]);
+    return sum;
+}
+
 void commit_markers(mpm *s)
 {
     surface_markers *k = &s->surfaces->markers;

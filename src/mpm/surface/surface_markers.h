@@ -19,6 +19,10 @@ void scatter_marker_heat(mpm *s, int group);
 void move_markers(mpm *s, int group);
 /* Moves them by nodal displacements instead. */
 void displace_markers(mpm *s, node_displacement *displacement);
+/* Forces on markers (N/Pa, three each) of a pressure on the surface as it is at the start of the step, as the surface at its end has them; and the volume
+ * (m3) over which they pass with it, along them. */
+void turn_marker_forces(const mpm *s, const double *force, double *out);
+double swept_by_markers(const mpm *s, const double *first, const double *last);
 /* Commits their next state. */
 void commit_markers(mpm *s);
 void free_markers(context *ctx, surface_markers *k);
