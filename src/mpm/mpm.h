@@ -274,7 +274,7 @@ bool mpm_motion_force(const mpm *s, int body, double force[3], double moment[3])
 /* Volume-weighted mean of a fluid body's pressure over points inside a region (all where region->model is NULL). */
 floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double *pressure);
 
-/* Positions (m, three each) of the *n loaded surface points, *stride numbers apart: state outside the fields. NULL:
+/* Positions (m, three each) of the *n corners of loaded surfaces, *stride numbers apart: state outside the fields. NULL:
  * there are none. Valid until the next step. */
 double *mpm_surface(mpm *s, size_t *n, size_t *stride);
 /* The same of the markers on surfaces of solids that cut cells: positions and velocities (m, m/s), six numbers each. */

@@ -45,10 +45,10 @@ static void add_extra(run_output *o, const checkpoint_extra *extra)
     if (extra->data) o->extra[o->checkpoint.n_extra++] = *extra;
 }
 
-/* The places of loaded surface points and of the markers on solids, what edges remember and how far bodies overlap with sides, are state that no field holds. */
+/* The places of corners of loaded surfaces and of the markers on solids, what edges remember and how far bodies overlap with sides, are state that no field holds. */
 static void name_extra(run_output *o, const sim *s)
 {
-    checkpoint_extra loaded = {.name = "surface_position", .components = 3},
+    checkpoint_extra loaded = {.name = "surface_corners", .components = 3},
                      markers = {.name = "skin_position_velocity", .components = 6},
                      edges = {.name = "edge_memory", .components = 1, .stride = 1},
                      overlaps = {.name = "side_overlap", .components = 1, .stride = 1};

@@ -14,7 +14,7 @@
 
 enum { CONTACT_DIVISIONS = 4 }; /* parts of a cell's edge between which elements lie */
 
-/* The same under loads: in space with elements in all directions, as many as twice as many parts have in the plane. */
+/* The same under loads and gas. In space they are half as long as the parts. */
 static int pressed_divisions(const mpm *s)
 {
     return s->mesh->dim < 3 ? 4 : 2;
@@ -38,8 +38,8 @@ static double level_beside(const mpm *s, int body, const surface_element *e, dou
     return shape_level(&s->scene->body[body].shape, s->mesh->dim, x);
 }
 
-/* +1 where a body lies on the side that the normal points to, -1 on the other, 0 where its surface is not there: closer than a hundredth of a
- * cell. By levels, which tell the sides apart even where edges are closer than the step. */
+/* +1 where a body lies on the side that the normal points to, -1 on the other, 0 where its surface is not there, to a hundredth of a cell. By
+ * levels, which tell the sides apart even where edges are closer than the step. */
 static double side_of_body(const mpm *s, int body, const surface_element *e)
 {
     if (fabs(level_beside(s, body, e, 0.0)) > 0.01 * s->mesh->h[0]) return 0.0;
