@@ -2,6 +2,7 @@
 #include "scene/flight.h"
 #include "scene/formula.h"
 #include "scene/remark_internal.h"
+#include "scene/scene_reach.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -121,17 +122,12 @@ void remark_free_swing(const scene *s, remark_sink *say, void *user)
                "is none. Give a fiftieth of the period");
 }
 
-static bool is_liquid(const scene_material *m)
-{
-    return m->eos.model && eos_is_liquid(&m->eos);
-}
-
 /* A liquid at rest under gravity, about a body that does not deform, or whose motion is given, moves. */
 static void warn_of_rest(const scene *s, remark_sink *say, void *user)
 {
     bool pulled = false;
     for (int k = 0; k < s->n_loads; ++k) pulled = pulled || (s->load[k].kind == LOAD_BODY_FORCE && s->load[k].body < 0);
-    for (int b = 0; pulled && has_fluid(s, is_liquid) && b < s->n_bodies; ++b) {
+    for (int b = 0; pulled && scene_has_liquid(s) && b < s->n_bodies; ++b) {
         if (!motion_is_prescribed(&s->body[b].motion)) continue;
         remark_speaker w = {.s = s, .say = say, .user = user};
         remark_set_key(&w, "bodies", s->body[b].name, "motion");

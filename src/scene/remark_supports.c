@@ -47,19 +47,17 @@ static bool may_pass(const scene *s, const scene_body *b, const double x[3], int
     return true;
 }
 
+enum { CROSSING_PASSES = 20 }; /* halvings, to a millionth of a cell */
+
 /* From a node inside along an axis to the surface, if that is nearer than the next node. */
 static void look_along(const scene *s, const shape *region, const scene_body *b, const double node[3], int axis,
                        double step, support_depth *deepest)
 {
-    double x[3], inside = 0.0, outside = 1.0;
-    memcpy(x, node, sizeof x);
-    x[axis] = node[axis] + step;
-    if (shape_inside(region, s->mesh.dim, x)) return;
-    while (outside - inside > 1e-6) {
-        const double middle = 0.5 * (inside + outside);
-        x[axis] = node[axis] + middle * step;
-        *(shape_inside(region, s->mesh.dim, x) ? &inside : &outside) = middle;
-    }
+    double next[3], x[3];
+    memcpy(next, node, sizeof next);
+    next[axis] += step;
+    if (shape_inside(region, s->mesh.dim, next)) return;
+    const double inside = shape_crossing(region, s->mesh.dim, 0.0, node, next, CROSSING_PASSES, x);
     if (inside <= deepest->cells || !may_pass(s, b, x, axis)) return;
     deepest->cells = inside;
     for (int a = 0; a < 3; ++a) deepest->at[a] = fabs(x[a]) > 1e-5 * fabs(step) ? x[a] : 0.0;

@@ -142,9 +142,6 @@ static bool rests_with_fluid(const scene *s)
     return s->damping.rate > 0.0 && !(has_soft_wall(s) && scene_wall_bases(s));
 }
 
-/* Steps that are solved for, contact and membranes have their own rules, other times of the stress and filtered velocities another order of
- * the step. With CPDI points at a wall reach corner by corner to nodes of next to no fluid, which
- * throw them (4 of 28 random scenes of gas, blocks and balls). */
 bool scene_drives_beside_implicit(const scene *s)
 {
     bool moves = false;
@@ -153,6 +150,9 @@ bool scene_drives_beside_implicit(const scene *s)
     return moves && s->coupling == COUPLING_ICE_MPM && s->method.pressure == PRESSURE_IMPLICIT;
 }
 
+/* Steps that are solved for, contact and membranes have their own rules, other times of the stress and filtered velocities another order of
+ * the step. With CPDI points at a wall reach corner by corner to nodes of next to no fluid, which
+ * throw them (4 of 28 random scenes of gas, blocks and balls). */
 bool scene_fluids_apart(const scene *s)
 {
     const char *transfer = scene_transfer(s);

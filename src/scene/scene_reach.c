@@ -25,6 +25,13 @@ static bool is_liquid(const scene *s, int material)
     return s->material[material].kind == MATERIAL_FLUID && eos_is_liquid(&s->material[material].eos);
 }
 
+bool scene_has_liquid(const scene *s)
+{
+    bool found = s->has_ambient && is_liquid(s, s->ambient_material);
+    for (int k = 0; k < s->n_bodies; ++k) found = found || is_liquid(s, s->body[k].material);
+    return found;
+}
+
 bool liquid_reaches_side(const scene *s, int axis, int side)
 {
     if (s->has_ambient && is_liquid(s, s->ambient_material)) return true;
@@ -119,9 +126,7 @@ bool scene_can_leave_side(const scene *s, const scene_body *b, int axis, int sid
         return false;
     if (!is_solid(s, b) || b->motion.kind == MOTION_FIXED) return false;
     if (!body_stands_on_side(s, b, axis, side) || stands_in_corner(s, b)) return false;
-    for (int k = 0; k < s->n_bodies; ++k)
-        if (is_liquid(s, s->body[k].material)) return false;
-    if (s->has_ambient && is_liquid(s, s->ambient_material)) return false;
+    if (scene_has_liquid(s)) return false;
     bool of[SCENE_MAX_BODIES] = {false};
     scene_mark_group(s, (int)(b - s->body), hang_together, of);
     return !group_reaches_side(s, of, axis, !side) && leaves_a_way(s, of, axis);

@@ -22,6 +22,8 @@ typedef bool body_relation(const scene *s, const scene_body *a, const scene_body
 int scene_mark_group(const scene *s, int first, body_relation *joined, bool of[SCENE_MAX_BODIES]);
 /* Whether a body touches a side. */
 bool body_stands_on_side(const scene *s, const scene_body *b, int axis, int side);
+/* Whether some body, or what surrounds them, is a liquid. */
+bool scene_has_liquid(const scene *s);
 /* Whether a fluid that bears tension does: a body of it, or the ambient. */
 bool liquid_reaches_side(const scene *s, int axis, int side);
 /* 'x', or 'r' about an axis. */

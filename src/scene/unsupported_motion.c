@@ -1,4 +1,5 @@
 /* What bodies with a motion of their own cannot be combined with. Each rule is a row. */
+#include "scene/scene_reach.h"
 #include "scene/unsupported.h"
 
 #include <math.h>
@@ -129,21 +130,11 @@ static floe_status refuse_common_material(const scene *s, int body)
     return FLOE_OK;
 }
 
-static bool has_liquid(const scene *s)
-{
-    bool found = s->has_ambient && eos_is_liquid(&s->material[s->ambient_material].eos);
-    for (int b = 0; b < s->n_bodies; ++b) {
-        const scene_material *m = &s->material[s->body[b].material];
-        found = found || (m->kind == MATERIAL_FLUID && eos_is_liquid(&m->eos));
-    }
-    return found;
-}
-
 /* The cells' pressure takes a smeared body as one that gives way cell by cell, and the body then moves as a whole. Steps of sound even that
  * out; in longer ones a liquid swings up, whatever its density and the body's. */
 static floe_status refuse_long_steps(const scene *s, int body)
 {
-    if (s->body[body].motion.kind != MOTION_RIGID || s->method.pressure == PRESSURE_EXPLICIT || !has_liquid(s))
+    if (s->body[body].motion.kind != MOTION_RIGID || s->method.pressure == PRESSURE_EXPLICIT || !scene_has_liquid(s))
         return FLOE_OK;
     return fail_key(
         s->ctx, KEY("bodies", s->body[body].name, "motion"),

@@ -4,8 +4,6 @@
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
 #include "mpm/implicit/implicit_volume.h"
-#include "mpm/surface/surface_markers.h"
-#include "mpm/surface/traction.h"
 
 #include <math.h>
 #include <string.h>
@@ -293,9 +291,7 @@ static floe_status start_step(mpm *s)
 /* Updates points, surfaces and enclosed gases from the displacement of the nodes. */
 static floe_status update_points(mpm *s)
 {
-    s->implicit->tried = s->implicit->u;
-    displace_surfaces(s, implicit_displacement);
-    displace_markers(s, implicit_displacement);
+    implicit_move_surfaces(s, s->implicit->u);
     TRY(implicit_move(s));
     enclosed_gases_store(s);
     enter_constraint_work(s);

@@ -60,6 +60,12 @@ typedef struct enclosed_gas {
     double heat;                                       /* J, of loads */
 } enclosed_gas;
 
+/* Whether the forces on its walls follow the displacement (implicit_loads.c): of points, and of cells with a sharp interface. */
+static inline bool gas_walls_follow(const enclosed_gas *gas)
+{
+    return gas->body >= 0 || gas->marker_force;
+}
+
 struct mpm_implicit {
     solve_grid grid;
     enclosed_gas *gas_set; /* owned */
@@ -161,6 +167,8 @@ void implicit_assemble(mpm *s, node_matrix *m, const double *tangent);
 /* Surfaces under loads and enclosed gas, which follow the displacement u (m) (implicit_loads.c). The external forces there, and those of a unit
  * pressure of enclosed gases of points. */
 void implicit_follow_surfaces(mpm *s, const double *u);
+/* Moves their corners, and the markers, to where u has them. */
+void implicit_move_surfaces(mpm *s, const double *u);
 /* The same, the loads (N) being added to `external`, whether nodes are reached or not. */
 void implicit_load_surfaces(mpm *s, const double *u, double *external);
 /* Adds what turning and stretching surfaces make of their loads to the matrix, made symmetric. */
@@ -180,6 +188,8 @@ static inline int implicit_layer(const mpm *s, int group)
 {
     return s->implicit->layers > 1 ? group : 0;
 }
+/* The place (m) of entry i of one component's array. */
+void implicit_place(const mpm *s, size_t i, double x[MESH_MAX_DIM]);
 /* Index of a component of a node in the solver's arrays. */
 static inline size_t implicit_index(const struct mpm_implicit *w, int layer, int c, int node)
 {

@@ -70,6 +70,18 @@ void implicit_drop_unreached(const struct mpm_implicit *w, double *force)
         if (!w->reached[k]) force[k] = 0.0;
 }
 
+void implicit_place(const mpm *s, size_t i, double x[MESH_MAX_DIM])
+{
+    const solve_grid *g = &s->implicit->grid;
+    int node[MESH_MAX_DIM] = {0};
+    ptrdiff_t rest = (ptrdiff_t)i;
+    for (int a = g->dim - 1; a >= 0; --a) {
+        node[a] = (int)(rest / g->stride[a]) - 1;
+        rest %= g->stride[a];
+    }
+    place_of_node(s->mesh, node, x);
+}
+
 double implicit_displacement(const mpm *s, int group, const int node[MESH_MAX_DIM], int c)
 {
     const struct mpm_implicit *w = s->implicit;

@@ -222,7 +222,7 @@ floe_status enclosed_gases_force(mpm *s, const double *u, double *gas_force)
     memset(gas_force, 0, w->components * sizeof *gas_force);
     for (int k = 0; k < w->n_gases; ++k) {
         enclosed_gas *r = &w->gas_set[k];
-        TRY(enclosed_gas_set(s, r, r->body >= 0 || r->marker_force ? r->swept : dot_product(w, r->unit_force, u)));
+        TRY(enclosed_gas_set(s, r, gas_walls_follow(r) ? r->swept : dot_product(w, r->unit_force, u)));
         const double pressure = r->pressure - s->scene->reference_pressure;
         for (size_t i = 0; i < w->components; ++i) gas_force[i] += pressure * r->unit_force[i];
     }

@@ -36,7 +36,7 @@ static void collect_forces(mpm *s, int group, double *out)
 static void press_walls(mpm *s, int r)
 {
     enclosed_gas *gas = &s->implicit->gas_set[r];
-    if (gas->body < 0 && !gas->marker_force) return;
+    if (!gas_walls_follow(gas)) return;
     memset(gas->unit_force, 0, s->implicit->components * sizeof *gas->unit_force);
     if (gas->body < 0) turn_marker_forces(s, s->gas[r].unit_force, gas->marker_force);
     gas->swept = gas->body < 0 ? swept_by_markers(s, s->gas[r].unit_force, gas->marker_force) : surface_swept(s, r);
@@ -50,26 +50,30 @@ static void press_walls(mpm *s, int r)
     }
 }
 
+void implicit_move_surfaces(mpm *s, const double *u)
+{
+    s->implicit->tried = u;
+    displace_surfaces(s, implicit_displacement);
+    displace_markers(s, implicit_displacement);
+}
+
 void implicit_load_surfaces(mpm *s, const double *u, double *external)
 {
-    struct mpm_implicit *w = s->implicit;
-    w->tried = u;
-    displace_surfaces(s, implicit_displacement);
+    implicit_move_surfaces(s, u);
     s->kick = 0.0; /* no impulse is entered */
     for (int g = 0; g < s->n_groups; ++g) {
         clear_forces(s, g);
         scatter_surfaces(s, g);
         collect_forces(s, g, external);
     }
-    displace_markers(s, implicit_displacement);
-    for (int r = 0; r < w->n_gases; ++r) press_walls(s, r);
+    for (int r = 0; r < s->implicit->n_gases; ++r) press_walls(s, r);
 }
 
 /* Whether anything presses on surfaces that follow: of gas on cells with a smeared interface nothing does (implicit_gas.c). */
 static bool any_follows(const mpm *s)
 {
     bool any = s->surfaces->pressed;
-    for (int r = 0; r < s->implicit->n_gases; ++r) any = any || s->implicit->gas_set[r].marker_force;
+    for (int r = 0; r < s->implicit->n_gases; ++r) any = any || gas_walls_follow(&s->implicit->gas_set[r]);
     return any;
 }
 
@@ -176,7 +180,7 @@ static void weaken_light_nodes(const mpm *s, const pressed_facet *f, weighted_no
         }
 }
 
-/* Half of the stiffness and half of its transpose: on a closed surface, and where its rim is held, they are the same. */
+/* Half of the stiffness and half of its transpose: on a closed surface, and where its rim is constrained, they are the same. */
 static void assemble_facet(const mpm *s, const pressed_facet *f, node_matrix *m)
 {
     const struct mpm_implicit *w = s->implicit;

@@ -72,19 +72,6 @@ double motion_velocity(const mpm *s, size_t k)
     return 2.0 * s->implicit->u[k] / s->dt - s->implicit->velocity[k];
 }
 
-/* Where an entry of the solver's grid is. */
-static void place_of_entry(const mpm *s, size_t i, double x[MESH_MAX_DIM])
-{
-    const solve_grid *g = &s->implicit->grid;
-    int node[MESH_MAX_DIM] = {0};
-    ptrdiff_t rest = (ptrdiff_t)i;
-    for (int a = g->dim - 1; a >= 0; --a) {
-        node[a] = (int)(rest / g->stride[a]) - 1;
-        rest %= g->stride[a];
-    }
-    place_of_node(s->mesh, node, x);
-}
-
 static void add_brought(mpm *s, int blk, int tile, void *user, double *sum)
 {
     const struct mpm_implicit *w = user;
@@ -136,7 +123,7 @@ void motion_enter(mpm *s)
             gained += gain;
             gas_force += push;
             if (gain != 0.0 || push != 0.0 || loss != 0.0) {
-                place_of_entry(s, i, x);
+                implicit_place(s, i, x);
                 add_moment(gains, x, c, gain);
                 add_moment(pushes, x, c, push);
                 add_moment(losses, x, c, loss);

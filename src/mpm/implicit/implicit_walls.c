@@ -280,14 +280,10 @@ static bool some_are_led(const mpm *s)
 /* The moment of what the stiffness gives to the nodes: what supports have of it. */
 static void add_given_moment(const mpm *s, size_t n, double given, double moment[3])
 {
-    const struct mpm_implicit *w = s->implicit;
+    const size_t size = s->implicit->grid.size;
     double x[MESH_MAX_DIM];
-    const solve_grid *g = &w->grid;
-    ptrdiff_t at = (ptrdiff_t)(n % g->size) - g->origin;
-    int node[MESH_MAX_DIM] = {0, 0, 0};
-    for (int a = s->mesh->dim - 1; a >= 0; at -= node[a] * g->stride[a], --a) node[a] = (int)(at / g->stride[a]);
-    place_of_node(s->mesh, node, x);
-    add_moment(moment, x, (int)(n / w->grid.size), given);
+    implicit_place(s, n % size, x);
+    add_moment(moment, x, (int)(n / size), given);
 }
 
 /* Whether images beyond a mirror push along an axis. */

@@ -15,8 +15,7 @@ typedef enum surface_use {
  * vector points into the body where it is pressed, out of it for contact. */
 typedef struct surface_facet {
     size_t corner[3];
-    double side;          /* on a line: +1 or -1, the area */
-    double at_rest[3][3]; /* m2: what a unit of pressure puts on each corner, at rest */
+    double at_rest[3][3]; /* m2: what a unit of pressure puts on each corner, at rest; on a line +1 or -1, for good */
     double area[3];       /* m2: for contact, the area vector at rest with the normal of the surface */
     double offset[3];     /* m: from its centre to the curved surface at rest; for contact */
     surface_use use;
@@ -24,8 +23,10 @@ typedef struct surface_facet {
     int body;   /* of the scene */
 } surface_facet;
 
-/* What a unit of pressure along a facet's area puts on each of its corners (m2): the gradient of the volume that the surface encloses with
- * their places. */
+/* What a unit of pressure along the area of a segment or a triangle puts on each of its corners (m2): the gradient of the volume that the surface
+ * encloses with their places (m). */
+void pressure_between(const mesh *m, const double *const corner[3], double force[3][3]);
+/* The same of a facet. */
 void pressure_on_corners(const mpm *s, const double *place, const surface_facet *f, double force[3][3]);
 /* Centre (m) and area vector (m2; times the radius about an axis) of a facet whose corners lie at these places. */
 void centre_of_facet(const mpm *s, const double *place, const surface_facet *f, double x[3]);

@@ -9,6 +9,7 @@
 #include "math/tensor.h"
 #include "mpm/surface/boundary.h"
 #include "mpm/surface/standing.h"
+#include "mpm/surface/surface_facets.h"
 #include "mpm/surface/surface_place.h"
 #include "mpm/surface/surfaces.h"
 #include "mpm/surface/welded.h"
@@ -385,32 +386,17 @@ void displace_markers(mpm *s, node_displacement *displacement)
     }
 }
 
-/* Adds to the ends of a segment what the surface has of area vectors there. */
-static void add_segment_area(const mpm *s, const surface_marker *at, int p, int q, double *area)
+/* Adds to the markers at the corners of a segment or a triangle what these have of its area vector. */
+static void add_piece_area(const mpm *s, const surface_marker *at, const int corner[3], double *area)
 {
-    const double *x = at[p].x, *y = at[q].x;
-    double along[2];
-    for (int a = 0; a < 2; ++a) along[a] = y[a] + mesh_to_image(s->mesh, a, y[a], x[a]) - x[a];
-    const bool about_axis = s->mesh->geometry == MESH_AXISYMMETRIC;
-    const double share[2] = {about_axis ? (2.0 * x[0] + y[0]) / 6.0 : 0.5,
-                             about_axis ? (x[0] + 2.0 * y[0]) / 6.0 : 0.5};
-    const int end[2] = {p, q};
-    for (int e = 0; e < 2; ++e) {
-        area[3 * end[e]] += share[e] * along[1];
-        area[3 * end[e] + 1] -= share[e] * along[0];
-    }
-}
-
-static void add_triangle_area(const mpm *s, const surface_marker *at, const int vertex[3], double *area)
-{
-    double x[3][3], normal[3];
-    for (int v = 0; v < 3; ++v)
+    double x[3][3], share[3][3];
+    for (int c = 0; c < s->mesh->dim; ++c)
         for (int a = 0; a < 3; ++a) {
-            const double near = at[vertex[0]].x[a], here = at[vertex[v]].x[a];
-            x[v][a] = here + mesh_to_image(s->mesh, a, here, near);
+            const double here = at[corner[c]].x[a];
+            x[c][a] = here + mesh_to_image(s->mesh, a, here, at[corner[0]].x[a]);
         }
-    triangle_normal(x[0], x[1], x[2], normal);
-    for (int v = 0; v < 3; ++v) vec_add_scaled(1.0 / 6.0, normal, area + 3 * vertex[v]);
+    pressure_between(s->mesh, (const double *const[3]){x[0], x[1], x[2]}, share);
+    for (int c = 0; c < s->mesh->dim; ++c) vec_add_scaled(1.0, share[c], area + 3 * corner[c]);
 }
 
 /* The share of each marker of the area vectors about it; on a line 1. */
@@ -421,8 +407,9 @@ static void find_marker_areas(const mpm *s, const surface_marker *at, double *ar
     for (size_t n = 0; n < k->n && s->mesh->dim == 1; ++n) area[3 * n] = 1.0;
     for (int c = 0; c < k->n_chains && s->mesh->dim == 2; ++c)
         for (int n = 0; n + (k->chain[c].closed ? 0 : 1) < k->chain[c].n; ++n)
-            add_segment_area(s, at, k->chain[c].first + n, k->chain[c].first + (n + 1) % k->chain[c].n, area);
-    for (int t = 0; t < k->n_triangles; ++t) add_triangle_area(s, at, k->triangle[t].vertex, area);
+            add_piece_area(s, at, (const int[3]){k->chain[c].first + n, k->chain[c].first + (n + 1) % k->chain[c].n},
+                           area);
+    for (int t = 0; t < k->n_triangles; ++t) add_piece_area(s, at, k->triangle[t].vertex, area);
 }
 
 /* What of a force is along the area of its marker turns and stretches with it. */

@@ -102,18 +102,6 @@ static place_stencil surface_locate(const mpm *s, int group, const double x[3])
     return st;
 }
 
-typedef struct surface_force {
-    double *force[3], value[3];
-    int dim;
-} surface_force;
-
-static void add_traction(void *user, ptrdiff_t at, double weight, double mass)
-{
-    (void)mass;
-    const surface_force *f = user;
-    for (int a = 0; a < f->dim; ++a) f->force[a][at] += weight * f->value[a];
-}
-
 void add_surface_force(const mpm *s, int group, const double x[3], const double force[3])
 {
     body_motion *motion = motion_of_group(s, group);
@@ -122,14 +110,7 @@ void add_surface_force(const mpm *s, int group, const double x[3], const double 
         return;
     }
     const place_stencil st = surface_locate(s, group, x);
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-        surface_force f = {.dim = s->mesh->dim};
-        for (int a = 0; a < f.dim; ++a) {
-            f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
-            f.value[a] = force[a];
-        }
-        visit_stencil(&s->mesh->block[b], &st, add_traction, &f);
-    }
+    push_stencil(s, group, &st, force);
 }
 
 bool place_is_supported(const mpm *s, int group, const double x[3])

@@ -25,7 +25,7 @@ typedef struct surface_list {
     surface_use use;
     int number, body;
     floe_status status;
-    size_t corners, facets; /* for which there is room */
+    size_t corners, facets; /* for which memory is reserved */
     size_t first_corner;    /* of this surface */
 } surface_list;
 
@@ -79,7 +79,7 @@ static void add_facet(surface_list *list, const surface_element *e, double side)
         f->corner[0] = f->corner[1];
         f->corner[1] = swap;
     }
-    f->side = side * e->normal[0];
+    f->at_rest[0][0] = side * e->normal[0]; /* on a line for good */
     pressure_on_corners(list->s, w->corner, f, f->at_rest);
     w->pressed = w->pressed || list->use != SURFACE_IN_CONTACT;
 }
@@ -155,22 +155,10 @@ static floe_status join_corners(surface_list *list)
 
 enum { RIM_PASSES = 45 }; /* halvings, to round-off of a segment */
 
-/* Whether a place of a surface is in the list's body or on its boundary. */
-static bool is_on_body(const surface_list *list, const double x[3])
+/* As near to its boundary (m) a place is on a body. */
+static double on_boundary(const mpm *s)
 {
-    const mesh *m = list->s->mesh;
-    return shape_level(&list->s->scene->body[list->body].shape, m->dim, x) <= 1e-6 * m->h[0];
-}
-
-/* The place where the body ends on the way from x, on it, to one that is not. */
-static void find_rim(const surface_list *list, const double from[3], const double to[3], double x[3])
-{
-    double low = 0.0, high = 1.0;
-    for (int pass = 0; pass < RIM_PASSES; ++pass) {
-        const double t = 0.5 * (low + high);
-        for (int a = 0; a < 3; ++a) x[a] = from[a] + t * (to[a] - from[a]);
-        *(is_on_body(list, x) ? &low : &high) = t;
-    }
+    return 1e-6 * s->mesh->h[0];
 }
 
 /* An element's corners that are replaced, and its centre between them. */
@@ -191,13 +179,15 @@ static surface_element part_between(const surface_element *e, double corner[3][3
 static void add_part_of_element(surface_list *list, const surface_element *e, const bool is_on[3])
 {
     double part[6][3];
+    const shape *body = &list->s->scene->body[list->body].shape;
     const int n = e->corners, edges = n > 2 ? n : n - 1;
     int kept = 0;
     for (int k = 0; k < n; ++k) {
         const int next = (k + 1) % n;
         if (is_on[k]) memcpy(part[kept++], e->corner[k], sizeof part[0]);
         if (k >= edges || is_on[k] == is_on[next]) continue;
-        find_rim(list, e->corner[is_on[k] ? k : next], e->corner[is_on[k] ? next : k], part[kept++]);
+        shape_crossing(body, list->s->mesh->dim, on_boundary(list->s), e->corner[is_on[k] ? k : next],
+                       e->corner[is_on[k] ? next : k], RIM_PASSES, part[kept++]);
     }
     for (int k = n - 1; k < kept; ++k) { /* triangles about the first corner */
         double corner[3][3];
@@ -211,10 +201,11 @@ static void add_part_of_element(surface_list *list, const surface_element *e, co
 static void add_loaded_element(void *user, const surface_element *e)
 {
     surface_list *list = user;
+    const shape *body = &list->s->scene->body[list->body].shape;
     bool is_on[3] = {false};
     int on = 0;
     for (int k = 0; k < e->corners; ++k) {
-        is_on[k] = is_on_body(list, e->corner[k]);
+        is_on[k] = shape_level(body, list->s->mesh->dim, e->corner[k]) <= on_boundary(list->s);
         on += is_on[k] ? 1 : 0;
     }
     if (on == 0 || on == e->corners) /* a body that is thinner than the element is not seen at its corners */

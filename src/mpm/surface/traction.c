@@ -23,15 +23,13 @@ void centre_of_facet(const mpm *s, const double *place, const surface_facet *f, 
     }
 }
 
-void pressure_on_corners(const mpm *s, const double *place, const surface_facet *f, double force[3][3])
+void pressure_between(const mesh *m, const double *const corner[3], double force[3][3])
 {
-    const double *x[3] = {&place[3 * f->corner[0]], &place[3 * f->corner[1]], &place[3 * f->corner[2]]};
+    const double *const *x = corner;
     memset(force, 0, 3 * sizeof force[0]);
-    if (s->mesh->dim == 1) {
-        force[0][0] = f->side;
-    } else if (s->mesh->dim == 2) {
+    if (m->dim == 2) {
         const double normal[2] = {x[1][1] - x[0][1], x[0][0] - x[1][0]};
-        const bool about_axis = s->mesh->geometry == MESH_AXISYMMETRIC;
+        const bool about_axis = m->geometry == MESH_AXISYMMETRIC;
         for (int c = 0; c < 2; ++c) {
             const double weight = about_axis ? (2.0 * x[c][0] + x[1 - c][0]) / 6.0 : 0.5;
             for (int a = 0; a < 2; ++a) force[c][a] = weight * normal[a];
@@ -41,6 +39,21 @@ void pressure_on_corners(const mpm *s, const double *place, const surface_facet 
         triangle_normal(x[0], x[1], x[2], normal);
         for (int c = 0; c < 3; ++c) vec_add_scaled(1.0 / 6.0, normal, force[c]);
     }
+}
+
+/* Of a facet with its corners there. */
+static void pressure_there(const mpm *s, const surface_facet *f, const double *const corner[3], double force[3][3])
+{
+    if (s->mesh->dim == 1)
+        memmove(force, f->at_rest, sizeof f->at_rest);
+    else
+        pressure_between(s->mesh, corner, force);
+}
+
+void pressure_on_corners(const mpm *s, const double *place, const surface_facet *f, double force[3][3])
+{
+    const double *const corner[3] = {&place[3 * f->corner[0]], &place[3 * f->corner[1]], &place[3 * f->corner[2]]};
+    pressure_there(s, f, corner, force);
 }
 
 void area_of_facet(const mpm *s, const double *place, const surface_facet *f, double area[3])
@@ -146,16 +159,13 @@ static double swept_by_facet(const mpm *s, const surface_facet *f)
     static const double weight[3] = {1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0};
     double sum = 0.0;
     for (int part = 0; part < 3; ++part) {
-        double place[9], force[3][3];
-        surface_facet own = *f;
-        for (size_t c = 0; c < 3; ++c) {
-            own.corner[c] = c;
+        double place[3][3], force[3][3];
+        for (size_t c = 0; c < 3; ++c)
             for (size_t a = 0; a < 3; ++a) {
                 const double first = w->corner[3 * f->corner[c] + a], last = w->corner_next[3 * f->corner[c] + a];
-                place[3 * c + a] = first + 0.5 * part * (last - first);
+                place[c][a] = first + 0.5 * part * (last - first);
             }
-        }
-        pressure_on_corners(s, place, &own, force);
+        pressure_there(s, f, (const double *const[3]){place[0], place[1], place[2]}, force);
         for (int c = 0; c < corners_of_facet(s); ++c)
             for (size_t a = 0; a < 3; ++a)
                 sum += weight[part] * force[c][a] *

@@ -63,15 +63,20 @@ static void add_force_to_nodes(void *user, ptrdiff_t at, double weight, double m
     for (int a = 0; a < f->dim; ++a) f->force[a][at] += weight * f->value[a];
 }
 
-void push_nodes(const mpm *s, int group, const double x[3], const double force[3])
+void push_stencil(const mpm *s, int group, const place_stencil *st, const double force[3])
 {
-    const place_stencil st = stencil_at(s, x);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
         place_force f = {.dim = s->mesh->dim};
         for (int a = 0; a < f.dim; ++a) {
             f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
             f.value[a] = force[a];
         }
-        visit_stencil(&s->mesh->block[b], &st, add_force_to_nodes, &f);
+        visit_stencil(&s->mesh->block[b], st, add_force_to_nodes, &f);
     }
+}
+
+void push_nodes(const mpm *s, int group, const double x[3], const double force[3])
+{
+    const place_stencil st = stencil_at(s, x);
+    push_stencil(s, group, &st, force);
 }

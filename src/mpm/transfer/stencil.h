@@ -23,6 +23,8 @@ typedef void stencil_node(void *user, ptrdiff_t at, double weight, double mass);
 /* Visits the nodes of a stencil in a block, ghosts included. */
 void visit_stencil(const block *b, const place_stencil *st, stencil_node *visit, void *user);
 
+/* Adds a force (N) to a group's nodes, with the weights of a stencil. */
+void push_stencil(const mpm *s, int group, const place_stencil *st, const double force[3]);
 /* Adds a force (N) at a place to a group's nodes, with the weights of the place. */
 void push_nodes(const mpm *s, int group, const double x[3], const double force[3]);
 
