@@ -19,28 +19,28 @@ static const double small_cell = 0.5;
 /* Neighbours that differ by less are alike, and the first is taken. */
 static const double alike = 1e-3;
 
-/* Pieces by their cells, as lists, and what of each goes through the lower and upper face along each axis. */
+/* Pieces by their cells, as lists, their sizes, and what of each goes through the lower and upper face along each axis. */
 typedef struct shade {
     int *first, *next;
-    double (*part)[4];
+    double *size, (*part)[4];
 } shade;
 
 /* How sharp a corner of the solid a piece belongs to, from 0 to 1, by the pieces of its cell: each of the two lies behind the plane of the other. */
 static double corner_at(const cut_surface *c, const shade *s, int piece)
 {
     const cut_piece *q = &c->piece[piece];
-    const double size = hypot(q->area[0], q->area[1]);
     double cosine = 1.0;
-    for (int n = s->first[q->cell]; n >= 0 && size > 0.0; n = s->next[n]) {
-        const double *other = c->piece[n].area, length = hypot(other[0], other[1]);
+    for (int n = s->first[q->cell]; n >= 0; n = s->next[n]) {
+        const double *other = c->piece[n].area, sizes = s->size[piece] * s->size[n];
+        const double product = q->area[0] * other[0] + q->area[1] * other[1];
+        if (!(product < hardly_turned * sizes)) continue; /* as most are, on smooth surfaces */
         double behind = 0.0, ahead = 0.0;
         for (int a = 0; a < 2; ++a) {
             const double way = cut_at_middle(c, &c->piece[n], a) - cut_at_middle(c, q, a);
             behind += way * q->area[a];
             ahead += way * other[a];
         }
-        if (behind > 0.0 && ahead < 0.0 && length > 0.0)
-            cosine = fmin(cosine, (q->area[0] * other[0] + q->area[1] * other[1]) / (size * length));
+        if (behind > 0.0 && ahead < 0.0 && sizes > 0.0) cosine = fmin(cosine, product / sizes);
     }
     return fmin(1.0, fmax(0.0, (hardly_turned - cosine) / (hardly_turned - sharp)));
 }
@@ -117,11 +117,13 @@ static floe_status share_pieces(cut_surface *c, shade *s, int cells, int pieces,
 {
     TRY(memory_new(c->ctx, &s->first, (size_t)cells, sizeof *s->first));
     TRY(memory_new(c->ctx, &s->next, (size_t)pieces, sizeof *s->next));
+    TRY(memory_new(c->ctx, &s->size, (size_t)pieces, sizeof *s->size));
     TRY(memory_new(c->ctx, &s->part, (size_t)pieces, sizeof *s->part));
     for (int k = 0; k < cells; ++k) s->first[k] = -1;
     for (int n = 0; n < pieces; ++n) {
         s->next[n] = s->first[c->piece[n].cell];
         s->first[c->piece[n].cell] = n;
+        s->size[n] = hypot(c->piece[n].area[0], c->piece[n].area[1]);
     }
     for (int n = 0; n < pieces; ++n) find_parts(c, s, n);
     for (int n = 0; n < pieces; ++n)
@@ -132,11 +134,12 @@ static floe_status share_pieces(cut_surface *c, shade *s, int cells, int pieces,
 
 floe_status cut_shade_corners(cut_surface *c, cut_finisher *finish)
 {
-    shade s = {NULL, NULL, NULL};
+    shade s = {NULL, NULL, NULL, NULL};
     if (c->n_pieces == 0) return FLOE_OK;
     const floe_status status = share_pieces(c, &s, c->n_cells, c->n_pieces, finish);
     memory_free(c->ctx, &s.first);
     memory_free(c->ctx, &s.next);
+    memory_free(c->ctx, &s.size);
     memory_free(c->ctx, &s.part);
     return status;
 }
