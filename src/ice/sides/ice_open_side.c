@@ -40,13 +40,22 @@ static gas_state moved_state(gas_state from, gas_state by, double step)
     return (gas_state){from.p + step * by.p, from.rho + step * by.rho, from.e + step * by.e};
 }
 
+/* Speed of sound of the fluid behind a face. */
+static double sound_speed_behind(const eos *law, const ice_reservoir *rest)
+{
+    double p, c2;
+    law->model->pressure(law->par, 1, &rest->rho, &rest->e, &p, &c2);
+    return sqrt(c2);
+}
+
 /* Speed u, up to that of sound, along the isentrope from a state at rest at p0. */
 static ice_reservoir expand_isentropically(const eos *law, double p0, const ice_reservoir *rest, double u)
 {
-    enum { STEPS = 8 };
-    const double step = u / STEPS;
+    const double mach = u / sound_speed_behind(law, rest);
+    const int steps = (int)fmin(fmax(1.0, ceil(32.0 * mach)), 8.0); /* slow flow needs one */
+    const double step = u / steps;
     gas_state y = {p0, rest->rho, rest->e};
-    for (int n = 0; n < STEPS; ++n) { /* Runge and Kutta's of order 4, with the speed as the clock */
+    for (int n = 0; n < steps; ++n) { /* Runge and Kutta's of order 4, with the speed as the clock */
         const double at = n * step;
         const gas_state a = expansion_rate(law, &y, at), ya = moved_state(y, a, 0.5 * step);
         const gas_state b = expansion_rate(law, &ya, at + 0.5 * step), yb = moved_state(y, b, 0.5 * step);
@@ -58,14 +67,6 @@ static ice_reservoir expand_isentropically(const eos *law, double p0, const ice_
     ice_reservoir out = {.rho = y.rho, .e = y.e, .v = 1.0 / y.rho};
     law->model->temperature(law->par, 1, &out.rho, &out.e, &out.T);
     return out;
-}
-
-/* Speed of sound of the fluid behind a face. */
-static double sound_speed_behind(const eos *law, const ice_reservoir *rest)
-{
-    double p, c2;
-    law->model->pressure(law->par, 1, &rest->rho, &rest->e, &p, &c2);
-    return sqrt(c2);
 }
 
 /* The most speed to which fluid is led from rest at p0: its sound at rest. The isentrope of a stiff liquid ends, at no density, before that
