@@ -14,6 +14,7 @@
 #include "mpm/membrane/membrane_sheet.h"
 #include "mpm/motion/motion.h"
 #include "mpm/mpm_constants.h"
+#include "mpm/nodes/support_points.h"
 #include "mpm/nodes/supports.h"
 #include "mpm/nodes/wall_overlap.h"
 #include "mpm/state/mean_strain.h"

@@ -42,6 +42,8 @@ void remark_sources(const scene *s, remark_sink *say, void *user);
 /* Of heat that solids neither get nor give. */
 void remark_heat(const scene *s, remark_sink *say, void *user);
 
+/* Whether a body shares one velocity with fluids on points. */
+bool remark_is_among_fluids(const scene *s, int body);
 /* Of what supports constrain at nodes behind their surface. */
 void remark_supports(const scene *s, remark_sink *say, void *user);
 

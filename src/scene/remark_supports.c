@@ -81,8 +81,7 @@ static support_depth find_depth(const scene *s, const shape *region, const scene
     return deepest;
 }
 
-/* Whether a body shares one velocity with fluids on points. */
-static bool is_among_fluids(const scene *s, int body)
+bool remark_is_among_fluids(const scene *s, int body)
 {
     if (s->coupling != COUPLING_MPM || scene_fluids_apart(s) || scene_in_contact(s, body)) return false;
     for (int k = 0; k < s->n_bodies; ++k)
@@ -122,7 +121,8 @@ void remark_supports(const scene *s, remark_sink *say, void *user)
     for (int k = 0; k < s->n_supports; ++k)
         for (int body = 0; body < s->n_bodies; ++body) {
             const scene_material *m = &s->material[s->body[body].material];
-            if (m->membrane || (remark_is_solid(m) && (is_among_fluids(s, body) || scene_drives_beside_implicit(s))))
+            if (m->membrane ||
+                (remark_is_solid(m) && (remark_is_among_fluids(s, body) || scene_drives_beside_implicit(s))))
                 remark_support(&w, &s->support[k], body);
         }
 }

@@ -1,5 +1,5 @@
 /* Supports that solids pass between nodes (theory 4.13): a cantilever under its weight and let go from straight, a bar drawn by two grips, one that a grip carries
- * along, one that hangs in space from an oblique surface. References: Timoshenko's beam; sigma = E u/l; a rigid motion; rho g l^2/(2 E). */
+ * along, one that hangs in space from an oblique surface; the same with fixed bodies, to which others stick. References: Timoshenko's beam; sigma = E u/l; a rigid motion; rho g l^2/(2 E). */
 #include "deck_run_fixture.h"
 
 #include "grid/ledger.h"
@@ -40,6 +40,22 @@ static void write_cantilever(char text[2000], double h, double off, const char *
                          "time: {%s}\n"
                          "output: {interval: 1 s, tracers: {tip: {body: beam, position: [1, 0]}}}\n",
                    (off - 4.0) * h, (off - 4.0) * h + 1.4, h, time);
+}
+
+/* The same, sticking to a fixed block in place of the support. */
+static void write_clamped(char text[2000], double h, double off, const char *time)
+{
+    (void)snprintf(
+        text, 2000,
+        SCENE "title: cantilever on a block\n"
+              "domain: {dim: 2, lower: [%.17g, -0.2], upper: [%.17g, 0.2], cell: %.17g}\n"
+              "bodies:\n"
+              "  beam: {material: rubber, shape: {box: {lower: [0, -0.05], upper: [1, 0.05]}}}\n"
+              "  block: {material: rubber, motion: fixed, shape: {box: {lower: [-0.15, -0.15], upper: [0, 0.15]}}}\n"
+              "loads: {weight: {body_force: {body: beam, acceleration: [0, -0.0066666666666666667]}}}\n"
+              "time: {%s}\n"
+              "output: {interval: 1 s, tracers: {tip: {body: beam, position: [1, 0]}}}\n",
+        (off - 4.0) * h, (off - 4.0) * h + 1.4, h, time);
 }
 
 /* 1e-3 m by bending, and what shear adds. */
@@ -192,6 +208,101 @@ static void test_hangs_in_space(void **unused)
     end(&t);
 }
 
+/* ---- a fixed body that holds what sticks to it ---- */
+
+typedef struct held_sums {
+    double impulse, moment; /* that the block takes: N s along the last axis, N m s about its centre */
+} held_sums;
+
+static held_sums step_until(bench *t, double until)
+{
+    held_sums sum = {0.0, 0.0};
+    while (t->sim->time < until * (1.0 - 1e-12)) {
+        double force[3], moment[3];
+        check_ok(t->ctx, sim_step(t->sim, until));
+        check_true(mpm_motion_force(t->sim->mpm, 1, force, moment));
+        sum.impulse += t->sim->mpm->kick * force[t->sim->mpm->mesh->dim - 1];
+        sum.moment += t->sim->mpm->kick * moment[2];
+    }
+    check_ok(t->ctx, sim_update_ledger(t->sim));
+    return sum;
+}
+
+/* After half a period the beam is at rest but for its higher modes: the block has taken its weight over the time, and the moment of that. */
+static void test_clamped_by_a_body(void **unused)
+{
+    (void)unused;
+    static const double cell[2] = {0.05, 0.025}, allowed[2] = {0.08, 0.068}, turned[2] = {0.018, 0.13};
+    const double half = pi / (3.516 * sqrt(1e6 * 0.01 / 12.0 / 1000.0));
+    for (int k = 0; k < 2; ++k)
+        for (int n = 0; n < 4; ++n) {
+            char text[2000], time[80];
+            bench t;
+            (void)snprintf(time, sizeof time, "end: %.17g", half);
+            write_clamped(text, cell[k], 0.27 * n, time);
+            begin(&t, text, NULL, 0);
+            const held_sums sum = step_until(&t, half);
+            const double ratio = -tip_of(&t, 1) / beam_deflection(), drift = worst_momentum(t.sim);
+            const double weight = 0.1 * 1000.0 * 0.0066666666666666667 * half;
+            print_message("%g cells long, joint %g of a cell from a node: %.4f of the deflection; the block takes %.4f "
+                          "and %.4f of the weight and its moment, momentum drifts by %.1e\n",
+                          1.0 / cell[k], 0.27 * n, ratio, -sum.impulse / weight, -sum.moment / (0.575 * weight), drift);
+            check_close(ratio, 2.0, allowed[k]);
+            check_close(-sum.impulse / weight, 1.0, 0.01);
+            check_close(-sum.moment / (0.575 * weight), 1.0, turned[k]);
+            check_true(drift < 1e-12);
+            end(&t);
+        }
+}
+
+/* Let go, it is rho g l^2/E longer after the wave has gone down and up again. */
+static void test_hangs_from_a_body(void **unused)
+{
+    (void)unused;
+    static const char text[] = SCENE
+        "title: bar that hangs from a block\n"
+        "domain: {dim: 3, lower: [0, 0, 0], upper: [1, 1, 2], cell: 0.1 m}\n"
+        "bodies:\n"
+        "  bar: {material: rubber, shape: {box: {lower: [0.33, 0.3, 0.37], upper: [0.73, 0.7, 1.53]}}}\n"
+        "  block: {material: rubber, motion: fixed, shape: {box: {lower: [0.2, 0.2, 1.53], upper: [0.8, 0.8, 1.9]}}}\n"
+        "loads: {weight: {body_force: {body: bar, acceleration: [0, 0, -1]}}}\n"
+        "time: {end: 1 s}\n"
+        "output: {interval: 1 s, tracers: {tip: {body: bar, position: [0.53, 0.5, 0.37]}}}\n";
+    bench t;
+    begin(&t, text, NULL, 0);
+    const double until = 2.0 * 1.16 / sqrt(1e6 / 1000.0);
+    const held_sums sum = step_until(&t, until);
+    const double ratio = -tip_of(&t, 2) / (1000.0 * 1.16 * 1.16 / 1e6), weight = 0.16 * 1160.0 * until;
+    print_message("bar under a block: %.4f of its way down, the block takes %.4f of the weight\n", ratio,
+                  -sum.impulse / weight);
+    check_close(ratio, 1.0, 0.02);
+    check_close(-sum.impulse / weight, 1.0, 0.042);
+    end(&t);
+}
+
+/* One that comes from afar flies on until nodes are shared, and does not enter the block. */
+static void test_arrives_at_a_body(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        SCENE "title: bar that flies to a block\n"
+              "domain: {dim: 2, lower: [0, 0], upper: [2, 1], cell: 0.05 m}\n"
+              "bodies:\n"
+              "  bar: {material: rubber, velocity: [-1, 0], shape: {box: {lower: [1, 0.3], upper: [1.5, 0.6]}}}\n"
+              "  block: {material: rubber, motion: fixed, shape: {box: {lower: [0.3, 0.1], upper: [0.6, 0.8]}}}\n"
+              "time: {end: 1 s}\n"
+              "output: {interval: 1 s, tracers: {tip: {body: bar, position: [1, 0.45]}}}\n";
+    bench t;
+    begin(&t, text, NULL, 0);
+    (void)step_until(&t, 0.2);
+    check_close(tip_of(&t, 0), -0.2, 1e-12);
+    while (t.sim->time < 0.4) {
+        check_ok(t.ctx, sim_step(t.sim, 0.4));
+        check_true(tip_of(&t, 0) > -0.4);
+    }
+    end(&t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -201,6 +312,9 @@ int main(void)
         cmocka_unit_test(test_drawn_by_grips),
         cmocka_unit_test(test_carried_by_grip),
         cmocka_unit_test(test_hangs_in_space),
+        cmocka_unit_test(test_clamped_by_a_body),
+        cmocka_unit_test(test_hangs_from_a_body),
+        cmocka_unit_test(test_arrives_at_a_body),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 #include "mpm/edge/edge.h"
 
 #include "mpm/edge/edge_lines.h"
+#include "mpm/motion/motion_ties.h"
 #include "mpm/state/stress.h"
 
 #include <math.h>
@@ -36,19 +37,35 @@ void edges_mark_flow(const mpm *s, edge_group *g)
     }
 }
 
-double edges_push(const mpm *s, const edge_group *g, int c, double *force, double moment[3])
+void edges_give(const mpm *s, const edge_group *g, const edge_line *l, int c, bool free_only, double factor,
+                edge_giving *sum)
 {
-    double given = 0.0;
+    const double given = factor * edge_sum(g, l, c, free_only);
+    *(l->leader < 0 ? &sum->walls : &sum->bodies) += given;
+    for (int t = 0; t < EDGE_TAPS; ++t) {
+        const edge_node *n = &g->node[l->node[t]];
+        double x[MESH_MAX_DIM], taken[3] = {0.0};
+        if (free_only && edge_constrains(n, c)) continue;
+        place_of_node(s->mesh, n->at, x);
+        taken[c] = -s->kick * factor * edge_weights(l, c)[t];
+        if (l->leader < 0)
+            add_moment(sum->moment, x, c, factor * edge_weights(l, c)[t]);
+        else
+            motion_pull_fixed(s, l->leader, x, taken, (const double[3]){0.0});
+    }
+}
+
+static double tension_of(const mpm *s, const edge_group *g, size_t line, int c)
+{
+    return -g->line[line].stiffness * edge_velocity_jump(s, g, line, c);
+}
+
+void edges_push(const mpm *s, const edge_group *g, int c, double *force)
+{
     if (g->n_nodes > 0) memset(force, 0, (size_t)g->n_nodes * sizeof *force);
     for (size_t k = 0; k < g->n_lines; ++k) {
-        const edge_line *l = &g->line[k];
-        const double tension = -l->stiffness * edge_velocity_jump(s, g, k, c);
-        edge_add(l, c, tension, force);
-        if (!l->images) continue;
-        given += tension * edge_sum(g, l, c, false);
-        edge_turn(s->mesh, g, l, c, false, tension, moment);
+        edge_add(&g->line[k], c, tension_of(s, g, k, c), force);
     }
-    return given;
 }
 
 void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const double *value)
@@ -79,10 +96,12 @@ static floe_status push_group(mpm *s, int group)
     double *force;
     TRY(edges_scratch(s, g, 1, &force));
     for (int c = 0; c < s->mesh->dim; ++c) {
-        double moment[3] = {0.0};
-        const double given = edges_push(s, g, c, force, moment);
+        edge_giving given = {.walls = 0.0};
+        edges_push(s, g, c, force);
         edges_add_to_copies(s, group, N_FORCE, c, force);
-        edges_enter(s, c, given, moment);
+        for (size_t k = 0; k < g->n_lines; ++k)
+            if (g->line[k].images) edges_give(s, g, &g->line[k], c, false, tension_of(s, g, k, c), &given);
+        edges_enter(s, c, &given);
     }
     return FLOE_OK;
 }

@@ -193,6 +193,8 @@ static bool fold_led_taps(const mpm *s, int group, int tap[EDGE_TAPS][MESH_MAX_D
     for (int t = 0; t < edge_taps(s); ++t) {
         int steps;
         const support_node *led = at[t] ? nearest_led(at, edge_taps(s), t, &steps) : NULL;
+        if (at[t] && s->supports->region[at[t]->support].body >= 0)
+            l->leader = s->supports->region[at[t]->support].body;
         if (!led) continue;
         if (led->way[l->axis] == 0 || support_moves(s, led->support)) return false;
         memcpy(tap[t], led->master, sizeof tap[t]);
@@ -210,7 +212,7 @@ static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_M
     const size_t place = edge_place(s, group, axis, first);
     const int body = (int)e->memory[e->lines + place] - 1;
     int tap[EDGE_TAPS][MESH_MAX_DIM];
-    edge_line l = {.axis = axis, .slot = place * (size_t)s->mesh->dim};
+    edge_line l = {.axis = axis, .leader = -1, .slot = place * (size_t)s->mesh->dim};
     if (body < 0 || !edge_find_taps(s, group, first, tap, &l)) return FLOE_OK;
     l.stiffness = e->penalty * penalty_modulus_of(s, body) * line_extent(s, axis, tap);
     if (!fold_led_taps(s, group, tap, &l)) return FLOE_OK;

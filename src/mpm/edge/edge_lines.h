@@ -17,6 +17,7 @@ typedef struct edge_line {
     int axis;        /* that it runs along */
     bool images;     /* some tap is the image of its node in a mirror, or led by a support */
     bool flows;      /* in this step it yields; it is not damped then */
+    int leader;      /* the fixed body, of ours, that leads or holds some tap; -1: none */
     bool unbalanced; /* its forces on unconstrained nodes need not sum to zero: it has an image or a constrained node */
     int node[EDGE_TAPS]; /* in the list of the group's nodes; taps beyond the order of the basis have zero weight */
     /* Weights of the taps, for components across the line and for the one along it, whose sign images reverse. */
@@ -203,24 +204,21 @@ static inline double edge_sum(const edge_group *g, const edge_line *l, int c, bo
     return sum;
 }
 
-/* Its moment: that of `given` along c, spread as D^T over the nodes, or over those that are free. */
-static inline void edge_turn(const mesh *m, const edge_group *g, const edge_line *l, int c, bool free_only,
-                             double given, double moment[3])
-{
-    for (int t = 0; t < EDGE_TAPS; ++t) {
-        const edge_node *n = &g->node[l->node[t]];
-        double x[MESH_MAX_DIM];
-        if (free_only && edge_constrains(n, c)) continue;
-        place_of_node(m, n->at, x);
-        add_moment(moment, x, c, given * edge_weights(l, c)[t]);
-    }
-}
+/* Forces that lines give as a whole: momentum along c (N), and moments. */
+typedef struct edge_giving {
+    double walls, moment[3]; /* of walls, mirrors and supports */
+    double bodies;           /* of fixed bodies, which have taken it */
+} edge_giving;
 
-/* What walls and mirrors give in a step: momentum along c, and moments. */
-static inline void edges_enter(mpm *s, int c, double given, const double moment[3])
+/* Adds what D^T times `factor` gives to all nodes, or to those that are free. */
+void edges_give(const mpm *s, const edge_group *g, const edge_line *l, int c, bool free_only, double factor,
+                edge_giving *sum);
+
+/* What walls and mirrors give in a step. */
+static inline void edges_enter(mpm *s, int c, const edge_giving *given)
 {
-    ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, given * s->kick);
-    ledger_turn(s->ledger, LEDGER_BOUNDARY, moment, s->kick);
+    ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, given->walls * s->kick);
+    ledger_turn(s->ledger, LEDGER_BOUNDARY, given->moment, s->kick);
 }
 
 /* Nodes of a line: the order of the basis and two more. */
@@ -231,8 +229,8 @@ floe_status edges_scratch(mpm *s, const edge_group *g, size_t vectors, double **
 void edges_values(const mpm *s, int group, field_id id, int c, double *value);
 /* Adds to it, wherever blocks have the nodes. */
 void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const double *value);
-/* Forces (N) of a group's lines along c on its nodes; gives what mirrors add to their sum. */
-double edges_push(const mpm *s, const edge_group *g, int c, double *force, double moment[3]);
+/* Forces (N) of a group's lines along c on its nodes. */
+void edges_push(const mpm *s, const edge_group *g, int c, double *force);
 /* Finds the lines that yield in this step. */
 void edges_mark_flow(const mpm *s, edge_group *g);
 /* Lines yield where their next state would exceed the yield stress of their solid. */

@@ -172,17 +172,16 @@ static void keep_linear_motion(const mpm *s, edge_system *y)
 }
 
 /* What lines give to the free nodes (kg m/s2): none, but beside walls and mirrors. */
-static double given_by_lines(const mesh *m, const edge_system *y, double moment[3])
+static edge_giving given_by_lines(const mpm *s, const edge_system *y)
 {
     const edge_group *g = y->group;
-    double given = 0.0;
+    edge_giving given = {.walls = 0.0};
     for (size_t k = 0; k < g->n_lines; ++k) {
         const edge_line *l = &g->line[k];
         if (!l->unbalanced) continue;
         const double share = l->flows ? 1.0 : y->share, damping = l->flows ? 0.0 : g->damping;
         const double motion = share * edge_difference(l, y->c, y->x) + damping * edge_difference(l, y->c, y->before);
-        given -= edge_sum(g, l, y->c, true) * l->inertia * motion;
-        edge_turn(m, g, l, y->c, true, -l->inertia * motion, moment);
+        edges_give(s, g, l, y->c, true, -l->inertia * motion, &given);
     }
     return given;
 }
@@ -241,8 +240,8 @@ static edge_system load_system(const mpm *s, int group, int c, double *scratch)
  * probe that hits a bag. */
 static void enter_work(mpm *s, const edge_system *y)
 {
-    double work = 0.0, unused[3] = {0.0};
-    (void)edges_push(s, y->group, y->c, y->r, unused);
+    double work = 0.0;
+    edges_push(s, y->group, y->c, y->r);
     for (int n = 0; n < y->group->n_nodes; ++n) {
         if (edge_constrains(&y->group->node[n], y->c)) continue;
         const double force = y->r[n] + y->mass[n] * (y->x[n] - y->raw[n]);
@@ -259,9 +258,8 @@ static void accelerate_nodes(mpm *s, int group, int c, double *scratch)
     const cg_system system = {apply_matrix, apply_inverse, &y, CG_PRECONDITIONED, NULL};
     cg_solve(s->edges->solver, &system, MPM_EDGE_TOLERANCE * size, y.r, y.x);
     keep_linear_motion(s, &y);
-    double moment[3] = {0.0};
-    const double given = given_by_lines(s->mesh, &y, moment);
-    keep_momentum(&y, given);
+    const edge_giving given = given_by_lines(s, &y);
+    keep_momentum(&y, given.walls + given.bodies);
     for (int n = 0; n < g->n_nodes; ++n) {
         g->accelerated[(size_t)c * (size_t)g->n_nodes + (size_t)n] = y.x[n];
         y.p[n] = edge_constrains(&g->node[n], c) ? 0.0 : y.x[n] - y.raw[n];
@@ -269,7 +267,7 @@ static void accelerate_nodes(mpm *s, int group, int c, double *scratch)
     }
     edges_add_to_copies(s, group, N_ACCEL, c, y.p);
     edges_add_to_copies(s, group, N_VEL_L, c, y.Ap);
-    edges_enter(s, c, given, moment);
+    edges_enter(s, c, &given);
     enter_work(s, &y);
 }
 
@@ -278,8 +276,8 @@ static void keep_accelerations(mpm *s, int group, int c, double *scratch)
 {
     edge_group *g = &s->edges->group[group];
     edge_system y = load_system(s, group, c, scratch);
-    double work = 0.0, unused[3] = {0.0};
-    (void)edges_push(s, g, c, y.r, unused);
+    double work = 0.0;
+    edges_push(s, g, c, y.r);
     for (int n = 0; n < g->n_nodes; ++n) {
         g->accelerated[(size_t)c * (size_t)g->n_nodes + (size_t)n] = y.raw[n];
         work += y.kick * y.r[n] * (y.before[n] + 0.5 * y.kick * y.raw[n]);

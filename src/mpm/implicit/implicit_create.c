@@ -8,6 +8,7 @@
 #include "mpm/implicit/implicit_view.h"
 #include "mpm/implicit/implicit_volume.h"
 #include "mpm/implicit/implicit_walls.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/state/stress.h"
 #include "mpm/surface/traction.h"
 #include "mpm/thermal/thermal.h"
@@ -105,7 +106,7 @@ static floe_status make_solver(mpm *s)
     }
     TRY(memory_new(s->ctx, &w->constrained, w->components, sizeof *w->constrained));
     TRY(memory_new(s->ctx, &w->row, w->grid.size, sizeof *w->row));
-    if (s->scene->n_supports > 0) TRY(memory_new(s->ctx, &w->led, w->grid.size, sizeof *w->led));
+    if (s->supports->n_regions > 0) TRY(memory_new(s->ctx, &w->led, w->grid.size, sizeof *w->led));
     return memory_new(s->ctx, &w->reached, w->components, sizeof *w->reached);
 }
 
@@ -151,31 +152,31 @@ floe_status mpm_stiffen_walls(mpm *s)
         TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
     TRY(memory_new(s->ctx, &w->constrained, w->components, sizeof *w->constrained));
     TRY(memory_new(s->ctx, &w->row, w->grid.size, sizeof *w->row));
-    if (s->scene->n_supports > 0) TRY(memory_new(s->ctx, &w->led, w->grid.size, sizeof *w->led));
+    if (s->supports->n_regions > 0) TRY(memory_new(s->ctx, &w->led, w->grid.size, sizeof *w->led));
     TRY(memory_new(s->ctx, &w->reached, w->components, sizeof *w->reached));
     return stiff_create(s);
 }
 
-/* Whether a point is within two cells of a side where springs hold bodies up. */
-static bool stands_at_slip(const mpm *s, const double x[MESH_MAX_DIM])
+/* Whether a point is within two cells of a side of a kind. */
+static bool stands_at(const mpm *s, bc_kind kind, const double x[MESH_MAX_DIM])
 {
     static const double near = 2.0;
     for (int a = 0; a < s->mesh->dim; ++a)
         for (int side = 0; side < 2 && !s->mesh->periodic[a]; ++side) {
             const double at = side == SIDE_LOWER ? s->mesh->lower[a] : s->mesh->upper[a];
-            if (s->scene->bc.side[a][side].kind == BC_SLIP && fabs(x[a] - at) < near * s->mesh->h[a]) return true;
+            if (s->scene->bc.side[a][side].kind == kind && fabs(x[a] - at) < near * s->mesh->h[a]) return true;
         }
     return false;
 }
 
-static bool any_stands_at_slip(const mpm *s)
+static bool any_stands_at(const mpm *s, bc_kind kind)
 {
     for (int blk = 0; blk < s->mesh->n_blocks; ++blk)
         for (int body = 0; body < s->n_deforming; ++body)
             for (size_t k = 0; k < s->points[blk][body].n; ++k) {
                 double x[MESH_MAX_DIM] = {0.0};
                 for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(s->domain->fields[blk], P_POS, body, a)[k];
-                if (stands_at_slip(s, x)) return true;
+                if (stands_at(s, kind, x)) return true;
             }
     return false;
 }
@@ -186,8 +187,10 @@ floe_status mpm_settle_walls(mpm *s, const char **why)
     *why = NULL;
     if (!walls_are_stiff(s)) return FLOE_OK;
     TRY(stiff_work(s, &work));
-    if (any_stands_at_slip(s))
+    if (any_stands_at(s, BC_SLIP)) /* where springs hold it up */
         *why = "a solid stands at a slip side";
+    else if (supports_lead_by_body(s) && (s->supports->n_regions > 1 || any_stands_at(s, BC_SYMMETRY)))
+        *why = "a fixed body is not all that holds solids, and its force would not be known";
     else if (stiff_meets_free_body(s))
         *why = "a solid is tied to a rigid body that is free";
     else if (work > MPM_WALL_WORK)

@@ -29,7 +29,7 @@ void motion_begin(mpm *s)
         const int at = (int)solve_index(&w->grid, node->node[0], node->node[1], node->node[2]);
         for (int c = 0; c < s->mesh->dim && support_moves(s, node->support); ++c)
             for (int l = 0; l < w->layers; ++l)
-                w->velocity[implicit_index(w, l, c, at)] = s->scene->support[node->support].velocity[c];
+                w->velocity[implicit_index(w, l, c, at)] = support_velocity(s, node->support)[c];
     }
 }
 

@@ -4,6 +4,7 @@
 #include "mpm/implicit/implicit.h"
 #include "mpm/implicit/implicit_chunks.h"
 #include "mpm/implicit/implicit_constants.h"
+#include "mpm/motion/motion_ties.h"
 #include "mpm/nodes/node.h"
 #include "mpm/nodes/sides.h"
 #include "mpm/nodes/supports.h"
@@ -292,6 +293,24 @@ static bool is_mirrored(const mpm *s, int axis)
     return !s->mesh->periodic[axis] && (wall_mirrors(s, 0, axis, SIDE_LOWER) || wall_mirrors(s, 0, axis, SIDE_UPPER));
 }
 
+static void enter_given(mpm *s, bool led, const double given[MESH_MAX_DIM], const double moment[3])
+{
+    for (int a = 0; a < s->mesh->dim; ++a)
+        if (led || is_mirrored(s, a))
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, given[a]);
+    ledger_turn(s->ledger, LEDGER_BOUNDARY, moment, 1.0);
+}
+
+/* A fixed body that alone holds solids has all of it. */
+static void pull_body(mpm *s, const double given[MESH_MAX_DIM], const double moment[3])
+{
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    double taken[3] = {0.0}, turned[3];
+    for (int a = 0; a < s->mesh->dim; ++a) taken[a] = -given[a];
+    for (int a = 0; a < 3; ++a) turned[a] = -moment[a];
+    motion_pull_fixed(s, s->supports->region[0].body, origin, taken, turned);
+}
+
 /* The forces with that of the stiffness. Free nodes get what their change of velocity takes, to the bit. */
 void stiff_take(mpm *s)
 {
@@ -311,10 +330,10 @@ void stiff_take(mpm *s)
     }
     for (int g = 0; g < s->n_deforming_groups; ++g) visit_copies(s, g, write_force);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, work);
-    for (int a = 0; a < s->mesh->dim; ++a)
-        if (led || is_mirrored(s, a))
-            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, given[a]);
-    ledger_turn(s->ledger, LEDGER_BOUNDARY, moment, 1.0);
+    if (supports_lead_by_body(s))
+        pull_body(s, given, moment);
+    else
+        enter_given(s, led, given, moment);
 }
 
 static void write_lightest(mpm *s, const fields *f, int group, int c, ptrdiff_t at, size_t n)

@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "mpm/implicit/implicit.h"
 #include "mpm/nodes/sides.h"
+#include "mpm/nodes/support_points.h"
 #include "mpm/nodes/supports.h"
 #include "mpm/transfer/point_arrays.h"
 

@@ -1,5 +1,6 @@
 /* The step of bodies that do not deform (motion.h). */
 #include "mpm/motion/motion.h"
+#include "mpm/motion/motion_ties.h"
 
 #include "base/memory.h"
 #include "math/tensor.h"
@@ -249,8 +250,7 @@ void motion_change(const body_motion *m, const double impulse[3], const double m
     rigid_spin(m->sums.inertia, m->turns, moment, out->w);
 }
 
-void motion_give(mpm *s, body_motion *m, const double impulse[3], const double moment[3], double work,
-                 motion_giver giver)
+static void take_given(body_motion *m, const double impulse[3], const double moment[3], double work, motion_giver giver)
 {
     for (int a = 0; a < 3; ++a) {
         m->impulse[a] += impulse[a];
@@ -261,6 +261,20 @@ void motion_give(mpm *s, body_motion *m, const double impulse[3], const double m
     }
     m->work += work;
     if (giver == MOTION_BY_CONTACT) m->contact_work += work;
+}
+
+void motion_pull_fixed(const mpm *s, int body, const double x[3], const double impulse[3], const double about[3])
+{
+    body_motion *m = motion_of_group(s, s->body[body].group);
+    double moment[3] = {about[0], about[1], about[2]};
+    rigid_add_moment(m, x, impulse, moment);
+    take_given(m, impulse, moment, 0.0, MOTION_BY_CONTACT);
+}
+
+void motion_give(mpm *s, body_motion *m, const double impulse[3], const double moment[3], double work,
+                 motion_giver giver)
+{
+    take_given(m, impulse, moment, work, giver);
     if (!motion_is_prescribed(m->given)) solve_free(s, m);
 }
 

@@ -7,6 +7,7 @@
 #include "mpm/motion/motion_parts.h"
 #include "mpm/motion/motion_ties.h"
 #include "mpm/nodes/node.h"
+#include "mpm/nodes/support_beyond.h"
 #include "mpm/transfer/scratch.h"
 
 #include <math.h>
@@ -57,6 +58,13 @@ void motions_impose(mpm *s, field_id field, bool now)
     if (s->motions) motion_visit_nodes(s, impose_motion_node, &(imposed){field, now, false});
 }
 
+/* The node of a place that is one. */
+static void node_at(const mpm *s, const double x[3], int node[MESH_MAX_DIM])
+{
+    for (int a = 0; a < MESH_MAX_DIM; ++a)
+        node[a] = a < s->mesh->dim ? (int)lround((x[a] - s->mesh->lower[a]) / s->mesh->h[a]) : 0;
+}
+
 /* ---- bodies that stick to it ---- */
 
 /* The group with a motion to which others stick at a node: that of the largest mass there; -1: there is none. */
@@ -81,9 +89,11 @@ static void tie_node(mpm *s, int blk, ptrdiff_t at, const double x[3], void *use
     if (leader < 0) return;
     rigid_at(s, motion_of_group(s, leader), what, x, v);
     const double mass = field_get(f, N_MASS, leader, 0)[at];
+    int node[MESH_MAX_DIM];
+    node_at(s, x, node);
     for (int g = 0; g < s->n_deforming_groups; ++g) {
         const double other = field_get(f, N_MASS, g, 0)[at];
-        if (!(other > 0.0) || !sticks_to_motions(s, g)) continue;
+        if (!(other > 0.0) || !sticks_to_motions(s, g) || clear_of_bodies(s, g, node)) continue;
         for (int a = 0; a < s->mesh->dim; ++a) {
             double *own = field_get(f, what->field, g, a), *body = field_get(f, what->field, leader, a);
             body[at] += other / mass * (own[at] - v[a]);
@@ -105,7 +115,7 @@ void motions_visit_ties(const mpm *s, tie_visitor *visit, void *user)
                     const int node[MESH_MAX_DIM] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k};
                     const int leader = leader_at(s, s->domain->fields[blk], mesh_index(b, i, j, k));
                     double x[3], v[3];
-                    if (leader < 0) continue;
+                    if (leader < 0 || clear_of_bodies(s, 0, node)) continue;
                     place_of_node(m, node, x);
                     rigid_at(s, motion_of_group(s, leader), &(imposed){N_VEL_L, false, false}, x, v);
                     for (int c = 0; c < m->dim; ++c) visit(user, node, c, v[c]);
@@ -192,9 +202,11 @@ static void gain_node(mpm *s, int blk, ptrdiff_t at, const double x[3], const vo
     double v[3];
     if (leader < 0) return;
     rigid_at(s, motion_of_group(s, leader), user, x, v);
+    int node[MESH_MAX_DIM];
+    node_at(s, x, node);
     for (int g = 0; g < s->n_deforming_groups; ++g) {
         const double mass = field_get(f, N_MASS, g, 0)[at];
-        if (!(mass > 0.0) || !sticks_to_motions(s, g)) continue;
+        if (!(mass > 0.0) || !sticks_to_motions(s, g) || clear_of_bodies(s, g, node)) continue;
         for (int a = 0; a < s->mesh->dim; ++a) {
             const double before = field_get(f, N_MOMENTUM, g, a)[at] / mass;
             *sum += 0.5 * mass * (v[a] - field_get(f, N_VEL_L, g, a)[at]) * (before + v[a]);
@@ -226,9 +238,9 @@ static bool fills(const mpm *s, const fields *f, int group, ptrdiff_t at, const 
 static void find_meeting(mpm *s, int blk, ptrdiff_t at, const double x[3], const void *user, double *sum)
 {
     const fields *f = s->domain->fields[blk];
-    int node[MESH_MAX_DIM] = {0, 0, 0};
+    int node[MESH_MAX_DIM];
     (void)user;
-    for (int a = 0; a < s->mesh->dim; ++a) node[a] = (int)lround((x[a] - s->mesh->lower[a]) / s->mesh->h[a]);
+    node_at(s, x, node);
     for (int g = s->n_deforming_groups; g < s->n_groups; ++g)
         for (int other = s->n_deforming_groups; other < g; ++other) {
             if (motion_prescribes_group(s, g) && motion_prescribes_group(s, other)) continue;

@@ -49,6 +49,6 @@ void visit_constraints(const mpm *s, int group, constraint_visitor *visit, void 
         if (!support_constrains(s, group, support)) continue;
         int node[MESH_MAX_DIM] = {0, 0, 0};
         for (int a = 0; a < m->dim; ++a) node[a] = mesh_index_around(m, a, support->node[a]);
-        for (int c = 0; c < m->dim; ++c) visit(user, node, c, s->scene->support[support->support].velocity[c]);
+        for (int c = 0; c < m->dim; ++c) visit(user, node, c, support_velocity(s, support->support)[c]);
     }
 }

@@ -1,5 +1,6 @@
 /* Supports at the nodes: constrained ones have their velocity, led ones are linear between the surface and their masters (theory 4.13). What points give a led node
  * acts on its master by the same share, as the principle of virtual work has it. */
+#include "mpm/motion/motion_ties.h"
 #include "mpm/nodes/node.h"
 #include "mpm/nodes/node_place.h"
 #include "mpm/nodes/supports.h"
@@ -40,7 +41,7 @@ static void fold_component(mpm *s, const support_node *n, field_id field, int gr
 /* Momentum of a mass at a led node that does not depend on the master. */
 static double own_momentum(const mpm *s, const support_node *n, double mass, int c)
 {
-    return mass * (1.0 - n->share) * s->scene->support[n->support].velocity[c];
+    return mass * (1.0 - n->share) * support_velocity(s, n->support)[c];
 }
 
 void fold_supports(mpm *s, int group, bool momentum, bool force)
@@ -73,7 +74,8 @@ void fold_supported_residuals(mpm *s, int group, bool velocities)
 
 bool supported_nodes_push(const mpm *s, int group)
 {
-    return (s->contact || s->motions || s->scene->n_springs > 0) && supports_lead_group(s, group) && s->supports->n > 0;
+    return (s->contact || s->motions || s->scene->n_springs > 0) && s->scene->n_supports > 0 &&
+           supports_lead_group(s, group) && s->supports->n > 0;
 }
 
 void keep_whole_masses(mpm *s, int group)
@@ -101,14 +103,21 @@ void put_whole_masses(mpm *s, int group)
 
 static double value_of(const mpm *s, const support_node *n, field_id field, int group, int c, bool change)
 {
-    const double v = change ? 0.0 : s->scene->support[n->support].velocity[c];
+    const double v = change ? 0.0 : support_velocity(s, n->support)[c];
     return n->led ? v + n->share * (value_at(s, owner_of_node(s->mesh, n->master), field, group, c) - v) : v;
 }
 
 void push_support(const mpm *s, int support, const double x[MESH_MAX_DIM], int c, double impulse)
 {
+    const int body = s->supports->region[support].body;
+    if (body >= 0) {
+        double given[3] = {0.0};
+        given[c] = -impulse;
+        motion_pull_fixed(s, body, x, given, (const double[3]){0.0});
+        return;
+    }
     ledger_push(s->ledger, LEDGER_BOUNDARY, c, impulse, x);
-    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, impulse * s->scene->support[support].velocity[c]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, impulse * support_velocity(s, support)[c]);
 }
 
 static void push_at_node(mpm *s, const int node[MESH_MAX_DIM], int support, int c, double impulse)
@@ -132,7 +141,7 @@ static void hold_nodes(mpm *s, int group, field_id field, double entered, bool c
     for (size_t k = 0; k < s->supports->n; ++k) {
         support_node own = s->supports->node[k];
         const support_node *n = &own;
-        if (!leads && !n->inside) continue;
+        if (!support_constrains(s, group, n)) continue;
         own.led = leads && own.led;
         for (int c = 0; c < s->mesh->dim; ++c) {
             const double value = value_of(s, n, field, group, c, change);

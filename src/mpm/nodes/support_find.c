@@ -5,29 +5,56 @@
 #include "geom/compound.h"
 #include "mpm/mpm_constants.h"
 #include "mpm/nodes/node.h"
+#include "mpm/nodes/support_beyond.h"
+#include "mpm/nodes/support_points.h"
 #include "mpm/nodes/supports.h"
+#include "scene/scene_motion.h"
 
 #include <math.h>
 #include <string.h>
 
+/* ---- regions ---- */
+
+static const double at_rest[MESH_MAX_DIM] = {0.0, 0.0, 0.0};
+
+/* Supports of the scene, and fixed bodies to which others stick where they meet. */
+static void list_regions(mpm *s)
+{
+    const scene *sc = s->scene;
+    struct mpm_supports *p = s->supports;
+    for (int k = 0; k < sc->n_supports; ++k)
+        p->region[p->n_regions++] = (held_region){&sc->support[k].region, sc->support[k].velocity, -1};
+    for (int b = s->n_deforming; b < s->n_bodies && !sc->contact.enabled; ++b) {
+        const scene_body *body = &sc->body[s->body[b].scene_body];
+        if (body->motion.kind == MOTION_FIXED && body->shape.model)
+            p->region[p->n_regions++] = (held_region){&body->shape, at_rest, b};
+    }
+}
+
 /* Regions move with their support. */
 static void place_at_start(const mpm *s, int support, const double x[MESH_MAX_DIM], double out[MESH_MAX_DIM])
 {
-    for (int a = 0; a < MESH_MAX_DIM; ++a) out[a] = x[a] - s->time * s->scene->support[support].velocity[a];
+    for (int a = 0; a < MESH_MAX_DIM; ++a) out[a] = x[a] - s->time * support_velocity(s, support)[a];
 }
 
 static bool region_has(const mpm *s, int support, const double x[MESH_MAX_DIM])
 {
     double at[MESH_MAX_DIM];
     place_at_start(s, support, x, at);
-    return shape_inside(&s->scene->support[support].region, s->mesh->dim, at);
+    return shape_inside(s->supports->region[support].region, s->mesh->dim, at);
+}
+
+/* The first of n regions that has a place; -1: none. */
+static int region_with(const mpm *s, int n, const double x[MESH_MAX_DIM])
+{
+    for (int k = 0; k < n; ++k)
+        if (region_has(s, k, x)) return k;
+    return -1;
 }
 
 int support_with(const mpm *s, const double x[MESH_MAX_DIM])
 {
-    for (int k = 0; k < s->scene->n_supports; ++k)
-        if (region_has(s, k, x)) return k;
-    return -1;
+    return region_with(s, s->scene->n_supports, x);
 }
 
 /* Fluids are not to be led, nor solids that supports drive beside an implicit pressure, which then does not find the volumes; where cells share the mass of nodes (smeared) decks have no supports. */
@@ -51,7 +78,7 @@ static bool is_led_body(const mpm *s, int body)
 
 int support_with_surface(const mpm *s, int group, const double x[MESH_MAX_DIM])
 {
-    return supports_lead_group(s, group) ? support_with(s, x) : -1;
+    return supports_lead_group(s, group) ? region_with(s, s->supports->n_regions, x) : -1;
 }
 
 const support_node *support_of(const mpm *s, const int node[MESH_MAX_DIM])
@@ -81,7 +108,8 @@ bool supports_cut(const mpm *s, const int cell[MESH_MAX_DIM])
 bool supports_lead(const mpm *s, int body)
 {
     for (size_t k = 0; k < s->supports->n; ++k)
-        if (s->supports->node[k].led) return is_led_body(s, body) && s->scene->n_supports <= COMPOUND_MOST;
+        if (s->supports->node[k].led && s->supports->region[s->supports->node[k].support].body < 0)
+            return is_led_body(s, body) && s->scene->n_supports <= COMPOUND_MOST;
     return false;
 }
 
@@ -155,7 +183,7 @@ static double distance_outside(const mpm *s, int support, const int node[MESH_MA
 
 static bool is_close(const mpm *s, const int node[MESH_MAX_DIM])
 {
-    for (int k = 0; k < s->scene->n_supports; ++k)
+    for (int k = 0; k < s->supports->n_regions; ++k)
         for (int axis = 0; axis < s->mesh->dim; ++axis)
             for (int way = -1; way < 2; way += 2) {
                 const double distance = distance_outside(s, k, node, axis, way);
@@ -175,8 +203,8 @@ static bool lead_by(const mpm *s, int support, const int node[MESH_MAX_DIM], int
                     double clear, lead *out)
 {
     double x[MESH_MAX_DIM];
-    if (!step_from(s, node, axis, steps, out->master, x) || support_with(s, x) >= 0 || is_close(s, out->master) ||
-        !solid_is_near(s, support, axis, MPM_SUPPORT_BEARING, x))
+    if (!step_from(s, node, axis, steps, out->master, x) || region_with(s, s->supports->n_regions, x) >= 0 ||
+        is_close(s, out->master) || !solid_is_near(s, support, axis, MPM_SUPPORT_BEARING, x))
         return false;
     out->distance = fabs(distance);
     out->share = distance / clear;
@@ -273,11 +301,11 @@ static floe_status look_at_node(mpm *s, int support, const int node[MESH_MAX_DIM
 static floe_status find_nodes(mpm *s, int support)
 {
     const mesh *m = s->mesh;
-    const scene_support *of = &s->scene->support[support];
+    const held_region *of = &s->supports->region[support];
     int begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};
     double lo[3], hi[3];
     const bool leads = some_body_is_led(s);
-    const bool bounded = shape_bounds(&of->region, m->dim, lo, hi);
+    const bool bounded = shape_bounds(of->region, m->dim, lo, hi);
     for (int a = 0; a < m->dim; ++a) {
         end[a] = m->n[a] + (m->periodic[a] ? 0 : 1);
         if (!bounded) continue;
@@ -334,24 +362,56 @@ void relieve_supported_points(mpm *s)
     visit_supported(s, relieve_point);
 }
 
+static floe_status find_all_nodes(mpm *s)
+{
+    s->supports->n = 0;
+    for (int k = 0; k < s->supports->n_regions; ++k) TRY(find_nodes(s, k));
+    return FLOE_OK;
+}
+
+static bool region_has_nodes(const struct mpm_supports *p, int region, bool led)
+{
+    for (size_t k = 0; k < p->n; ++k)
+        if (p->node[k].support == region && (p->node[k].led || !led)) return true;
+    return false;
+}
+
+/* Leaves out fixed bodies to which nothing sticks at the start. */
+static bool drop_bodies(mpm *s)
+{
+    struct mpm_supports *p = s->supports;
+    const int before = p->n_regions;
+    p->n_regions = 0;
+    for (int k = 0; k < before; ++k)
+        if (p->region[k].body < 0 || region_has_nodes(p, k, true)) p->region[p->n_regions++] = p->region[k];
+    return p->n_regions < before;
+}
+
 floe_status supports_create(mpm *s)
 {
     TRY(memory_new(s->ctx, &s->supports, 1, sizeof *s->supports));
-    for (int k = 0; k < s->scene->n_supports; ++k) {
-        const size_t before = s->supports->n;
-        TRY(find_nodes(s, k));
-        if (s->supports->n == before)
+    list_regions(s);
+    TRY(find_all_nodes(s));
+    if (drop_bodies(s)) TRY(find_all_nodes(s));
+    for (int k = 0; k < s->scene->n_supports; ++k)
+        if (!region_has_nodes(s->supports, k, false))
             return fail_key(
                 s->ctx, KEY("supports", s->scene->support[k].name),
                 "holds nothing: no node of the mesh lies in its region; make it larger, or the cells smaller");
-    }
-    return FLOE_OK;
+    return find_clear_nodes(s);
+}
+
+bool supports_lead_by_body(const mpm *s)
+{
+    for (int k = 0; k < s->supports->n_regions; ++k)
+        if (s->supports->region[k].body >= 0) return true;
+    return false;
 }
 
 bool support_moves(const mpm *s, int support)
 {
     bool moves = false;
-    for (int a = 0; a < s->mesh->dim; ++a) moves = moves || s->scene->support[support].velocity[a] != 0.0;
+    for (int a = 0; a < s->mesh->dim; ++a) moves = moves || support_velocity(s, support)[a] != 0.0;
     return moves;
 }
 
@@ -363,7 +423,7 @@ static int axis_of(const support_node *n)
 
 int supports_widen(const mpm *s)
 {
-    const support_node *first[SCENE_MAX_SUPPORTS][2] = {{NULL}};
+    const support_node *first[SUPPORT_REGIONS][2] = {{NULL}};
     for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *n = &s->supports->node[k];
         if (!n->led) continue;
@@ -380,13 +440,13 @@ floe_status follow_supports(mpm *s)
     bool any = false;
     for (int k = 0; k < s->scene->n_supports; ++k) any = any || support_moves(s, k);
     if (!any) return FLOE_OK;
-    s->supports->n = 0;
-    for (int k = 0; k < s->scene->n_supports; ++k) TRY(find_nodes(s, k));
-    return FLOE_OK;
+    TRY(find_all_nodes(s));
+    return find_clear_nodes(s);
 }
 
 void supports_free(mpm *s)
 {
     if (s->supports) memory_free(s->ctx, &s->supports->node);
+    if (s->supports) memory_free(s->ctx, &s->supports->clear);
     memory_free(s->ctx, &s->supports);
 }

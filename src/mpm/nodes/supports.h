@@ -1,4 +1,4 @@
-/* Supports: regions that hold what lies in them (theory 4.13). */
+/* Supports: regions that hold what lies in them, and fixed bodies that hold what sticks to them (theory 4.13). */
 #ifndef MPM_SUPPORTS_H
 #define MPM_SUPPORTS_H
 
@@ -7,7 +7,7 @@
 /* How many nodes inside points outside reach. */
 enum { SUPPORT_STEPS = 2 };
 
-/* A node, by global index, that a support holds: it has the support's velocity V. (In a group that is not led, that is all.) Where a solid passes the surface of the region close by, it is led instead:
+/* A node, by global index, that a region holds: it has the support's velocity V. (In a group that is not led, that is all.) Where a solid passes the surface of the region close by, it is led instead:
  * its velocity is linear between the surface and a free node beyond, V + share (v_master - V), so that the solid is constrained at the surface itself. */
 typedef struct support_node {
     int node[MESH_MAX_DIM], support;
@@ -19,9 +19,22 @@ typedef struct support_node {
         per_step; /* its distance from the surface over that of the master, negative in the region; and the same of one step */
 } support_node;
 
+/* A region that holds: of a support of the scene, or a fixed body to which others stick from the start. */
+typedef struct held_region {
+    const shape *region;    /* at the start; not owned */
+    const double *velocity; /* m/s; not owned */
+    int body;               /* of ours, that is fixed; -1: a support of the scene */
+} held_region;
+
+enum { SUPPORT_REGIONS = SCENE_MAX_SUPPORTS + SCENE_MAX_BODIES };
+
 struct mpm_supports {
     support_node *node; /* owned */
     size_t n, reserved;
+    held_region region[SUPPORT_REGIONS]; /* those of the scene first */
+    int n_regions;
+    long long *clear; /* owned: numbers of nodes that are clear of fixed bodies, sorted (support_beyond.h) */
+    size_t n_clear;
 };
 
 /* Finds the nodes that they hold or lead at the beginning (support_find.c). Errors: FLOE_NO_MEMORY; FLOE_BAD_INPUT where a support holds none. */
@@ -30,35 +43,32 @@ floe_status supports_create(mpm *s);
 bool supported_nodes_push(const mpm *s, int group);
 void keep_whole_masses(mpm *s, int group);
 void put_whole_masses(mpm *s, int group);
-/* Takes the initial stress from the points that belong to supports. */
-void relieve_supported_points(mpm *s);
 /* Finds the nodes again in each step, if some support moves. */
 floe_status follow_supports(mpm *s);
 void supports_free(mpm *s);
-/* Whether supports lead nodes, and a body may be what passes their surfaces. */
-bool supports_lead(const mpm *s, int body);
+/* Velocity (m/s) of a region. */
+static inline const double *support_velocity(const mpm *s, int region)
+{
+    return s->supports->region[region].velocity;
+}
 /* The entry of a node that some support holds or leads, or NULL. */
 const support_node *support_of(const mpm *s, const int node[MESH_MAX_DIM]);
-/* Whether the surface of a support passes a cell at the start. */
-bool supports_cut(const mpm *s, const int cell[MESH_MAX_DIM]);
 /* Whether supports lead nodes of a group. */
 bool supports_lead_group(const mpm *s, int group);
-/* Whether an entry holds or leads its node for a group. */
+/* Whether an entry holds or leads its node for a group. What is not led sticks to fixed bodies by their own nodes (motion/). */
 static inline bool support_constrains(const mpm *s, int group, const support_node *n)
 {
-    return n->inside || supports_lead_group(s, group);
+    return (n->inside && s->supports->region[n->support].body < 0) || supports_lead_group(s, group);
 }
+/* Whether some of the regions is a fixed body. */
+bool supports_lead_by_body(const mpm *s);
 /* Whether a support has a velocity. */
 bool support_moves(const mpm *s, int support);
 /* By how many nodes the solver's matrix couples farther along each axis, because led nodes of a curved or oblique surface have masters in different rows. */
 int supports_widen(const mpm *s);
-/* Whether points of a body may belong to supports: those in the regions move along and have no stress. */
-bool supports_take_points(const mpm *s, int body);
-/* The first support whose region has the place x (m); -1: none. */
-int support_with(const mpm *s, const double x[MESH_MAX_DIM]);
-/* The support with which a place on the surface of a group moves, and which bears the loads there; -1: none. */
+/* The region with which a place on the surface of a group moves, and which bears the loads there; -1: none. */
 int support_with_surface(const mpm *s, int group, const double x[MESH_MAX_DIM]);
-/* Enters an impulse (N s) that a support gives at x (m). */
+/* Enters an impulse (N s) that a region gives at x (m); a fixed body takes the opposite one. */
 void push_support(const mpm *s, int support, const double x[MESH_MAX_DIM], int c, double impulse);
 
 /* Gives the masters what points gave led nodes: masses and momenta, forces (support.c). */

@@ -7,7 +7,7 @@
 #include "mpm/loads/spring.h"
 #include "mpm/membrane/membrane_points.h"
 #include "mpm/motion/motion.h"
-#include "mpm/nodes/supports.h"
+#include "mpm/nodes/support_points.h"
 #include "mpm/state/seed_fill.h"
 #include "mpm/state/seed_hydrostatic.h"
 #include "mpm/state/stress.h"

@@ -2,7 +2,7 @@
  * volumes (theory 4.13). In the cells that this surface cuts and beside them both parts are seeded apart; all others have the points of the whole body. */
 #include "base/memory.h"
 #include "geom/compound.h"
-#include "mpm/nodes/supports.h"
+#include "mpm/nodes/support_points.h"
 #include "mpm/state/seed_fill.h"
 
 typedef struct seed_parts {

@@ -73,7 +73,7 @@ static double prescribed_velocity(const mpm *s, int group, const int node[3], in
                 v = wall_target(s, a, side, c);
     for (size_t k = 0; k < s->supports->n; ++k)
         if (memcmp(s->supports->node[k].node, node, sizeof s->supports->node[k].node) == 0)
-            v = s->scene->support[s->supports->node[k].support].velocity[c];
+            v = support_velocity(s, s->supports->node[k].support)[c];
     return v;
 }
 
@@ -131,8 +131,7 @@ static floe_status find_master(mpm *s, int number)
     inertia_node *found = &s->surfaces->inertia->node[number];
     found->master = master;
     found->share = led->share;
-    for (int c = 0; c < s->mesh->dim; ++c)
-        found->own[c] = (1.0 - led->share) * s->scene->support[led->support].velocity[c];
+    for (int c = 0; c < s->mesh->dim; ++c) found->own[c] = (1.0 - led->share) * support_velocity(s, led->support)[c];
     return FLOE_OK;
 }
 
@@ -238,7 +237,7 @@ static floe_status add_marker(mpm *s, int vertex)
     }
     const int support = support_with_surface(s, group, x);
     if (support >= 0) {
-        memcpy(m->velocity, s->scene->support[support].velocity, sizeof m->velocity);
+        memcpy(m->velocity, support_velocity(s, support), sizeof m->velocity);
         return FLOE_OK;
     }
     const surface_shares st = surface_shares_at(s, group, x);

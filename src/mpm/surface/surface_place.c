@@ -233,7 +233,7 @@ surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
     const body_motion *motion = motion_of_group(s, group);
     if (motion) return rigid_surface_motion(s, motion, x);
     const int support = support_with_surface(s, group, x);
-    if (support >= 0) return moved_with(s, s->scene->support[support].velocity);
+    if (support >= 0) return moved_with(s, support_velocity(s, support));
     const int b = place_block(s, x);
     motion_sum m = {.dim = s->mesh->dim, .kick = s->kick, .undamped = damping_left(s), .follows = walls_are_stiff(s)};
     for (int a = 0; a < m.dim; ++a) {

@@ -108,7 +108,7 @@ static void find_corner_forces(mpm *s, int group)
     memset(w->corner_force, 0, 3 * w->n_corners * sizeof *w->corner_force);
     for (size_t k = 0; k < w->n_facets; ++k)
         if (w->facet[k].use == SURFACE_LOADED && s->body_group[w->facet[k].body] == group) load_facet(s, &w->facet[k]);
-    for (size_t k = 0; k < w->n_corners && s->scene->n_supports > 0; ++k)
+    for (size_t k = 0; k < w->n_corners; ++k)
         if (place_is_supported(s, group, &w->corner[3 * k])) memset(&w->corner_force[3 * k], 0, 3 * sizeof(double));
 }
 

@@ -9,7 +9,7 @@
 #include "mpm/mpm_constants.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/light_nodes.h"
-#include "mpm/nodes/supports.h"
+#include "mpm/nodes/support_points.h"
 #include "mpm/nodes/wall.h"
 #include "mpm/state/mean_strain.h"
 #include "mpm/state/stress.h"
