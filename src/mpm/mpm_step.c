@@ -1,4 +1,5 @@
 /* The points-only step, straight down (theory 4.1). */
+#include "coupling/wall_response.h"
 #include "mpm/fluid/fluid.h"
 #include "mpm/loads/point_loads.h"
 #include "mpm/mpm_constants.h"
@@ -80,6 +81,12 @@ static bool has_motions(const mpm *s)
 static bool has_yielding_fluids(const mpm *s)
 {
     return s->surfaces && s->surfaces->fluids;
+}
+
+/* Whether the fluids find their pressure with the walls, in one system with them. */
+static bool searches_pressure(const mpm *s)
+{
+    return has_yielding_fluids(s) && s->surfaces->fluids->solve;
 }
 
 static bool has_edges(const mpm *s)
@@ -171,7 +178,8 @@ floe_status mpm_conduction_stages(mpm *s)
 
 floe_status mpm_force_stages(mpm *s)
 {
-    const bool usf = is_usf(s), apart = s->cells == CELLS_SMEARED || usf;
+    const bool usf = is_usf(s), apart = s->cells == CELLS_SMEARED || usf, searches = searches_pressure(s),
+               several = searches && s->scene->fluids_share;
     STAGE(s, usf, mpm_node_velocity,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL),
                 WHEN(meets_at_points(s), N_REACH)),
@@ -195,8 +203,14 @@ floe_status mpm_force_stages(mpm *s)
     STAGE(s, has_yielding_fluids(s) && walls_are_stiff(s), mpm_find_stiffness,
           READS(N_MASS, N_MOMENTUM, N_FORCE, P_MASS, P_VOLUME0, P_POS, DOMAINS, POINT_STATE, EXPANDING),
           WRITES(NOTHING));
-    STAGE(s, has_yielding_fluids(s), mpm_find_wall_pressures, READS(N_MASS, N_MOMENTUM, N_FORCE),
-          WRITES(N_FORCE, N_VEL_L));
+    /* An implicit pressure's search moves the faces of the cells (theory 7.8). */
+    STAGE(s, has_yielding_fluids(s), mpm_find_wall_pressures,
+          READS(N_MASS, N_MOMENTUM, N_FORCE, WHEN(searches, F_VEL), WHEN(searches, F_MOBILITY),
+                WHEN(searches, C_PRESSURE_STEP), WHEN(searches, C_PRESSURE_ADVANCED), WHEN(several, C_LIMITER),
+                WHEN(several, F_THETA), WHEN(several, F_FLUX)),
+          WRITES(N_FORCE, N_VEL_L, WHEN(searches, F_VEL), WHEN(searches, C_PRESSURE_STEP),
+                 WHEN(searches, C_PRESSURE_ADVANCED), WHEN(several, C_LIMITER), WHEN(several, F_THETA),
+                 WHEN(several, F_FLUX)));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE, WHEN(walls_let_go(s), N_SIDE_BODY)),
           WRITES(WHEN(walls_let_go(s), N_FORCE), N_VEL_L));
     return FLOE_OK;

@@ -134,8 +134,7 @@ static void warn_of_rest(const scene *s, remark_sink *say, void *user)
         remark_key(&w,
                    "with a smeared interface a liquid does not stay at rest under gravity about a body that does not "
                    "deform: a block held half in water under air set it going with 14 J within 0.1 s and 1.8 kJ within "
-                   "0.2 s, where nothing should move. Take a sharp interface, with method.pressure explicit where the "
-                   "implicit one is in its way");
+                   "0.2 s, where nothing should move. Take a sharp interface");
         return;
     }
 }

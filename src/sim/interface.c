@@ -75,15 +75,11 @@ static bool some_solid_deforms(const scene *s)
     return false;
 }
 
-/* The implicit pressure moves surfaces as their nodes alone tell, and has one fluid beside each (theory 7.8). */
+/* The implicit pressure moves surfaces as their nodes alone tell (theory 7.8), and knows of nothing else that raises the pressure of cut cells. */
 static floe_status needs_known_pressure(const scene *s, const mesh *m)
 {
     const basis_model *basis = basis_find(s->method.basis);
     if (s->method.pressure != PRESSURE_IMPLICIT) return needs_explicit_pressure(s, m);
-    if (s->fluids_share)
-        return fail_key(s->ctx, KEY("method", "pressure"),
-                        "implicit beside a sharp interface takes fluids that solids keep apart, and these share cells: "
-                        "use explicit");
     if (some_solid_deforms(s) && basis && (basis->fact.hats || basis->fact.shaped))
         return fail_key(s->ctx, KEY("method", "pressure"),
                         "implicit beside a sharp interface takes solids that deform with basis quadratic or cubic, and "
@@ -93,6 +89,9 @@ static floe_status needs_known_pressure(const scene *s, const mesh *m)
         if (s->load[l].kind == LOAD_HEAT || s->load[l].kind == LOAD_PRESSURISE)
             return fail_key(s->ctx, KEY("loads", s->load[l].name),
                             "beside a sharp interface it acts on gas with the explicit pressure alone");
+    if (s->n_reactions > 0)
+        return fail_key(s->ctx, KEY("reactions", s->reaction[0].name),
+                        "beside a sharp interface fluids react with the explicit pressure alone");
     return FLOE_OK;
 }
 

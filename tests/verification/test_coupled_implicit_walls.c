@@ -488,8 +488,10 @@ static void test_refused(void **unused)
     refuse(METHOD,
            "loads={fire: {heat: {material: air, region: {box: {lower: [0, 0], upper: [0.1, 0.02]}}, power: 1}}}",
            "time.cfl=0.5", "explicit pressure alone");
-    refuse(METHOD, "materials.other={eos: {ideal: {gamma: 1.3, specific_heat: 1000}}}", "bodies.behind.material=other",
-           "share cells");
+    refuse(METHOD, "materials.other={eos: {ideal: {gamma: 1.3, specific_heat: 1000}}}",
+           "reactions={burn: {reactant: air, product: other, rate: {threshold: {temperature: 900, time: 1e-3}}, heat: "
+           "1e5}}",
+           "react with the explicit pressure alone");
 }
 
 int main(void)

@@ -251,8 +251,12 @@ floe_status ice_cut_pressure_stages(ice *s)
                 WHEN(m && t, C_INTERFACE)),
           WRITES(F_VEL, C_SHOCK, WHEN(t, C_OPEN), WHEN(t, C_PRESSURE), WHEN(t, C_SLOW_SHOCK), WHEN(t, C_ALONE),
                  WHEN(t, F_PRESSURE), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL)));
-    STAGE(s, implicit, ice_cut_guess, READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_OPEN, C_PRESSURE_STEP),
-          WRITES(F_VEL, F_MOBILITY, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED));
+    STAGE(s, implicit, ice_cut_guess,
+          READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_OPEN, C_PRESSURE_STEP, WHEN(m, C_THETA),
+                WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_INTERFACE),
+                WHEN(slips, C_WALL)),
+          WRITES(F_VEL, F_MOBILITY, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA),
+                 WHEN(m, F_FLUX)));
     STAGE(s, !implicit, ice_cut_increment,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
                 WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(r, C_REACTED)),
@@ -269,8 +273,9 @@ floe_status ice_cut_flow_stages(ice *s)
     const bool m = ice_is_mixture(s), k = ice_conducts(s), r = ice_reaction_count(s) > 0,
                slips = m && ice_some_pair_slips(s), t = ice_may_trace(s);
     STAGE(s, s->implicit, ice_cut_take,
-          READS(F_VEL, F_MOBILITY, C_RHO, C_PRESSURE, C_SOUND, C_SHOCK, C_OPEN, C_PRESSURE_STEP, C_DP),
-          WRITES(F_VEL, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED, F_PRESSURE));
+          READS(F_VEL, C_RHO, C_PRESSURE, C_SOUND, C_OPEN, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED, WHEN(m, F_FLUX),
+                WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM)),
+          WRITES(C_DP, C_PRESSURE_ADVANCED, F_PRESSURE, WHEN(m, F_VEL)));
     STAGE(s, s->walls && !s->implicit, ice_cut_wall_pressure,
           READS(C_DP, C_PRESSURE_ADVANCED, C_RHO, F_PRESSURE, WHEN(m, C_RHO_SUM), WHEN(t, C_ALONE)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, F_PRESSURE));

@@ -198,7 +198,7 @@ void ice_cut_viscous_rates(ice *s, const ice_region *g)
 {
     ice_cut_diffusion_rates(s, g);
     ice_merged_diffusion_rates(s, g);
-    ice_fill_ghosts(s, C_DIFFUSION, g->first, FILL_CURRENT, GHOST_EVEN);
+    for (int r = g->first; r < g->first + g->n; ++r) ice_fill_ghosts(s, C_DIFFUSION, r, FILL_CURRENT, GHOST_EVEN);
 }
 
 /* b of theory 3 in whole cells, that of the head in merged ones. */
@@ -245,6 +245,16 @@ static void press_members(const ice *s, const ice_region *g)
     }
 }
 
+/* The rows of a region by its present u*. */
+static void find_rows(ice *s, const ice_region *g)
+{
+    ice_cut_views(s, g);
+    ice_implicit_fractions(s, g);
+    ice_merged_fluxes(s, ice_merged_cells_of(s, g)); /* volumes, for the matrix */
+    find_matrix(s, g);
+    find_right_side(s, g);
+}
+
 static floe_status guess_region(ice *s, const ice_region *g)
 {
     ice_cut_views(s, g);
@@ -253,9 +263,7 @@ static floe_status guess_region(ice *s, const ice_region *g)
     ice_implicit_guess(s, g);
     guess_alike(s, g);
     ice_implicit_push(s, g);
-    ice_merged_fluxes(s, ice_merged_cells_of(s, g)); /* volumes, for the matrix */
-    find_matrix(s, g);
-    find_right_side(s, g);
+    find_rows(s, g);
     press_members(s, g);
     return FLOE_OK;
 }
@@ -272,11 +280,35 @@ floe_status ice_cut_guess(ice *s)
 typedef struct cut_search {
     const ice *s;
     const wall_motion *walls;
+    double *found; /* changes of pressure so far, of merged cells */
 } cut_search;
+
+typedef struct search_count {
+    int outer, cg;
+} search_count;
 
 static double flux_factor(const ice *s)
 {
     return s->dt / mesh_box_volume(s->mesh);
+}
+
+/* The walls' answer to the pressures of the merged cells, into `flux`. */
+static void answer_of_walls(const cut_search *q)
+{
+    const ice_cut_system *w = q->s->cut_cells->system;
+    q->walls->flux_of(q->walls->walls, w->pressure, w->flux);
+}
+
+/* Pressures of merged cells from a vector of the system. */
+static void gather_pressures(const ice *s, double *x, double *pressure)
+{
+    int first = 0;
+    for (int g = 0; g < s->n_regions; ++g) {
+        const ice_merged_cells *p = ice_merged_cells_of(s, &s->region[g]);
+        const double *of = part_of(s, &s->region[g], x);
+        for (int k = 0; k < p->count; ++k) pressure[first + k] = of[lead_index(s, p, k)];
+        first += p->count;
+    }
 }
 
 /* y += dt B M^-1 B^T x, less what the preconditioner's matrix has of it. */
@@ -284,15 +316,9 @@ static void add_wall_responses(const cut_search *q, double *x, double *y)
 {
     const ice *s = q->s;
     const ice_cut_system *w = s->cut_cells->system;
+    gather_pressures(s, x, w->pressure);
+    answer_of_walls(q);
     int first = 0;
-    for (int g = 0; g < s->n_regions; ++g) {
-        const ice_merged_cells *p = ice_merged_cells_of(s, &s->region[g]);
-        const double *of = part_of(s, &s->region[g], x);
-        for (int k = 0; k < p->count; ++k) w->pressure[first + k] = of[lead_index(s, p, k)];
-        first += p->count;
-    }
-    q->walls->flux_of(q->walls->walls, w->pressure, w->flux);
-    first = 0;
     for (int g = 0; g < s->n_regions; ++g) {
         const ice_merged_cells *p = ice_merged_cells_of(s, &s->region[g]);
         double *to = part_of(s, &s->region[g], y);
@@ -330,11 +356,13 @@ static void apply_preconditioner(void *user, double *x, double *y)
     }
 }
 
-/* The walls' part of the right side and of the preconditioner's diagonal. */
+/* The walls' part of the right side, by all other forces and the changes of pressure so far, and of the preconditioner's diagonal. */
 static floe_status meet_walls(ice *s, const cut_search *q)
 {
     const ice_cut_system *w = s->cut_cells->system;
     int first = 0;
+    memcpy(w->pressure, q->found, (size_t)s->walls->n_cells * sizeof(double));
+    answer_of_walls(q);
     for (int g = 0; g < s->n_regions; ++g) {
         const ice_merged_cells *p = ice_merged_cells_of(s, &s->region[g]);
         double *b = part_of(s, &s->region[g], w->b), *sink = multigrid_links(s->rows[g].m).sink;
@@ -342,7 +370,7 @@ static floe_status meet_walls(ice *s, const cut_search *q)
             const int c = first + k;
             const ptrdiff_t at = lead_index(s, p, k);
             w->own[c] = q->walls->own_flux(q->walls->walls, c);
-            b[at] -= flux_factor(s) * q->walls->flux[c];
+            b[at] -= flux_factor(s) * (q->walls->flux[c] + w->flux[c]);
             sink[at] += flux_factor(s) * w->own[c];
         }
         first += p->count;
@@ -365,22 +393,61 @@ static double largest_error(const ice *s)
     return sound ? largest : DBL_MAX;
 }
 
-static floe_status search_steps(ice *s, cut_search *q)
+/* The changes of pressure that the present rows ask for. */
+static floe_status solve_rows_of(ice *s, cut_search *q, search_count *n)
 {
     ice_cut_system *w = s->cut_cells->system;
     const cg_system system = {apply_matrix, apply_preconditioner, q, CG_WEIGHTED, w->weight};
     const double tolerance = s->scene->method.pressure_tolerance;
     double best = INFINITY, residual = largest_error(s);
-    int outer = 0, iterations = 0;
     memset(w->x, 0, (size_t)s->n_regions * w->size * sizeof *w->x);
-    for (; residual > tolerance; ++outer) {
+    for (int outer = 0; residual > tolerance; ++outer, ++n->outer) {
         if (!(residual < ICE_HOPELESS_RESIDUAL * best) || outer == ICE_MOST_OUTER)
             return ice_implicit_give_up(s, residual, best, outer);
         best = fmin(best, residual);
-        iterations += cg_solve(w->c, &system, ice_implicit_tolerance(s, s->rows, residual), w->b, w->x).iterations;
+        n->cg += cg_solve(w->c, &system, ice_implicit_tolerance(s, s->rows, residual), w->b, w->x).iterations;
         residual = largest_error(s);
     }
-    ice_implicit_tally(s, outer, iterations);
+    return FLOE_OK;
+}
+
+/* They move the faces, and join those found before. */
+static void take_changes(ice *s, double *found)
+{
+    ice_cut_system *w = s->cut_cells->system;
+    gather_pressures(s, w->x, w->pressure);
+    for (int c = 0; c < s->walls->n_cells; ++c) found[c] += w->pressure[c];
+    for (int k = 0; k < s->n_regions; ++k) {
+        const ice_region *g = &s->region[k];
+        double *x = part_of(s, g, w->x);
+        ice_cut_views(s, g);
+        spread_lead(s, ice_merged_cells_of(s, g), x);
+        memcpy(s->rows[k].x, x, w->size * sizeof *x);
+        ice_implicit_take(s, g);
+        ice_implicit_push(s, g);
+    }
+}
+
+/* Of one fluid the rows are linear. Of several the volume fractions at faces follow u*, and with them the rows. */
+static floe_status search_pressures(ice *s, cut_search *q)
+{
+    const double tolerance = s->scene->method.pressure_tolerance;
+    search_count n = {0, 0};
+    double best = INFINITY;
+    TRY(meet_walls(s, q));
+    for (int outer = 0;; ++outer) {
+        TRY(solve_rows_of(s, q, &n));
+        take_changes(s, q->found);
+        if (!ice_is_mixture(s)) break;
+        for (int g = 0; g < s->n_regions; ++g) find_rows(s, &s->region[g]);
+        TRY(meet_walls(s, q));
+        const double residual = largest_error(s);
+        if (residual <= tolerance) break;
+        if (!(residual < ICE_HOPELESS_RESIDUAL * best) || outer == ICE_MOST_OUTER)
+            return ice_implicit_give_up(s, residual, best, outer);
+        best = fmin(best, residual);
+    }
+    ice_implicit_tally(s, n.outer, n.cg);
     return FLOE_OK;
 }
 
@@ -397,18 +464,10 @@ static floe_status reserve_walls(const ice *s, ice_cut_system *w, size_t n)
 floe_status ice_cut_solve(void *fluids, const wall_motion *motion, double *pressure)
 {
     ice *s = fluids;
-    cut_search q = {s, motion};
+    cut_search q = {s, motion, pressure};
     TRY(reserve_walls(s, s->cut_cells->system, (size_t)s->walls->n_cells));
-    TRY(meet_walls(s, &q));
-    TRY(search_steps(s, &q));
-    int first = 0;
-    for (int g = 0; g < s->n_regions; ++g) {
-        const ice_merged_cells *p = ice_merged_cells_of(s, &s->region[g]);
-        const double *x = part_of(s, &s->region[g], s->cut_cells->system->x);
-        for (int k = 0; k < p->count; ++k) pressure[first + k] = x[lead_index(s, p, k)];
-        first += p->count;
-    }
-    return FLOE_OK;
+    memset(pressure, 0, (size_t)s->walls->n_cells * sizeof *pressure);
+    return search_pressures(s, &q);
 }
 
 /* ---- after the walls have moved ---- */
@@ -427,13 +486,10 @@ static void expand_members(const ice *s, const ice_region *g, const wall_cell *c
 
 static floe_status take_region(ice *s, const ice_region *g, const wall_cell *cell)
 {
-    double *x = part_of(s, g, s->cut_cells->system->x);
     ice_cut_views(s, g);
-    spread_lead(s, ice_merged_cells_of(s, g), x);
-    memcpy(s->rows[g->number].x, x, s->cut_cells->system->size * sizeof *x);
-    ice_implicit_take(s, g);
-    ice_implicit_push(s, g);
+    for (int r = g->first; g->n > 1 && r < g->first + g->n; ++r) ice_fill_faces(s, F_VEL, r);
     ice_implicit_advance(s, g);
+    if (g->n > 1) ice_still_elsewhere(s, ice_merged_cells_of(s, g));
     expand_members(s, g, cell);
     press_members(s, g);
     ice_fill_increment(s, g);

@@ -94,7 +94,7 @@ void ice_fill_changed(const ice *s, const ice_region *g)
 
 bool ice_covered_stick(const ice *s)
 {
-    return s->implicit && ice_is_viscous(s);
+    return s->implicit && ice_is_viscous(s) && !ice_is_mixture(s);
 }
 
 void ice_stick_covered(const ice *s, const ice_region *g)

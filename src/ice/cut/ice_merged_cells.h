@@ -115,6 +115,8 @@ void ice_merged_centring(const ice *s, const ice_region *g);
 void ice_merged_increment(const ice *s, const ice_region *g);
 /* Volumes of the merged cells and fluxes out of them, with the boundaries at the velocities of the start of the step, into the sums. */
 void ice_merged_fluxes(const ice *s, ice_merged_cells *p);
+/* Of several fluids the volumes in cells that solids fill stay. */
+void ice_still_elsewhere(const ice *s, const ice_merged_cells *p);
 void ice_merged_sources(const ice *s, const ice_region *g);
 /* Force of viscosity and of the drag of walls (N/m3) on merged cells, at t^n. */
 void ice_merged_diffusion_rates(const ice *s, const ice_region *g);

@@ -138,8 +138,7 @@ void ice_merged_fluxes(const ice *s, ice_merged_cells *p)
         p->sum[(size_t)w.member->merged * MERGED_SUMS + MERGED_FLUX] += w.weight * ice_along_area(&w, w.line->velocity);
 }
 
-/* Several fluids: the volumes of cells that solids fill stay. */
-static void still_elsewhere(const ice *s, const ice_merged_cells *p)
+void ice_still_elsewhere(const ice *s, const ice_merged_cells *p)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const ice_view *v = &s->cut_cells->view[id];
@@ -163,7 +162,7 @@ void ice_merged_increment(const ice *s, const ice_region *g)
     ice_merged_cells *p = ice_merged_cells_of(s, g);
     ice_cut_views(s, g);
     ice_merged_fluxes(s, p);
-    if (g->n > 1) still_elsewhere(s, p);
+    if (g->n > 1) ice_still_elsewhere(s, p);
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k], *lead = &p->member[p->lead[m->merged]];
         const ice_view *v = ice_member_view(s, m), *of = ice_member_view(s, lead);
@@ -270,17 +269,22 @@ void ice_merged_diffusion_rates(const ice *s, const ice_region *g)
     }
     for (ice_piece_walk w = ice_first_piece(s, p); ice_next_piece(&w);) {
         const wall_place place = place_of(&w);
-        double drag[3];
-        ice_wall_drag(s, g, 0, &place, drag);
-        for (int a = 0; a < s->mesh->dim; ++a)
-            p->sum[(size_t)w.member->merged * MERGED_SUMS + MERGED_MOMENTUM + a] -= w.weight * s->dt * drag[a];
+        const ice_view *v = ice_member_view(s, w.member);
+        for (int r = 0; r < g->n; ++r) {
+            const double share = w.weight * s->dt * (v->multi ? v->m[r].theta[w.member->at] : 1.0);
+            double drag[3], *momentum = stress_sums_of(p, w.member->merged, r).momentum;
+            ice_wall_drag(s, g, r, &place, drag);
+            for (int a = 0; a < s->mesh->dim; ++a) momentum[a] -= share * drag[a];
+        }
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
-        const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
-        for (int a = 0; a < s->mesh->dim; ++a)
-            ice_member_view(s, m)->m[0].diff[a][m->at] =
-                sum[MERGED_VOLUME] > 0.0 ? sum[MERGED_MOMENTUM + a] / (s->dt * sum[MERGED_VOLUME]) : 0.0;
+        const double time_volume = s->dt * p->sum[(size_t)m->merged * MERGED_SUMS + MERGED_VOLUME];
+        for (int r = 0; r < g->n; ++r) {
+            const double *momentum = stress_sums_of(p, m->merged, r).momentum;
+            for (int a = 0; a < s->mesh->dim; ++a)
+                ice_member_view(s, m)->m[r].diff[a][m->at] = time_volume > 0.0 ? momentum[a] / time_volume : 0.0;
+        }
     }
 }
 

@@ -101,13 +101,13 @@ static int solve_once(ice *s, const ice_region *g, double residual)
     return cg_solve_afresh(w->c, &system, tolerance, w->b, w->x).iterations;
 }
 
-/* What the upwind theta^r,f need of the present u*. */
-static void find_fractions(const ice *s, const ice_region *g)
+void ice_implicit_fractions(const ice *s, const ice_region *g)
 {
     /* The outflow of ghost cells at interfaces bounds what they give up. */
     for (int r = g->first; ice_has_interfaces(s, g) && r < g->first + g->n; ++r) ice_fill_faces(s, F_VEL, r);
     ice_view v;
     for (int id = 0; g->n > 1 && ice_next_view(s, g, &id, &v);) ice_face_fractions(&v);
+    if (g->n > 1 && s->cut) s->cut->bound_outflow(s, g);
 }
 
 /* The search for y. */
@@ -117,7 +117,7 @@ static floe_status search_pressure_step(ice *s, const ice_region *g)
     double best = INFINITY;
     int iterations = 0;
     for (int outer = 0;; ++outer) {
-        find_fractions(s, g);
+        ice_implicit_fractions(s, g);
         const double residual = ice_implicit_residual(s, g);
         if (residual <= tolerance) {
             ice_implicit_tally(s, outer, iterations);

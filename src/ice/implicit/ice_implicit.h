@@ -30,6 +30,8 @@ void ice_implicit_tally(const ice *s, int outer, int iterations);
 floe_status ice_implicit_begin(ice *s, const ice_region *g);
 /* u*_0 from the explicit u* and that, whose ghosts it fills (rows of theory 3 with dP = 0). */
 void ice_implicit_centre(ice *s, const ice_region *g);
+/* The upwind theta^r,f of several fluids by the present u*, and the volume flux that they make. */
+void ice_implicit_fractions(const ice *s, const ice_region *g);
 /* Adds a step of pressure, from the array of P with its ghosts filled, to u*. */
 void ice_implicit_push(const ice *s, const ice_region *g);
 /* The right side: b = w (-S y / phi - dt div F); returns the largest |b/w|, the error of a volume as a fraction,
