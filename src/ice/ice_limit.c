@@ -1,6 +1,7 @@
 /* The time step (theory 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2 where phi = 1, else 1; with the
  * implicit pressure C / max sum |u_i|/h_i, and sound may cross acoustic_cfl cells; diffusion dt <= 0.9 / (2 D sum h_i^-2) (beside embedded boundaries half of that for viscosity, and
- * a fifth for heat that passes them), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Traces (theta < 1e-6) are left out.
+ * a fifth for heat that passes them), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2, with the
+ * implicit pressure where fluids meet a quarter of that. Traces (theta < 1e-6) are left out.
  *
  * A fluid that is coupled to the others of its cell faster than sound crosses the cell transmits sound at Wood's speed of the mixture, not at its own: a hot
  * trace of gas beside a solid does not limit the step. The limit depends on the state of the fluids alone (the volume that they leave in a cell is the
@@ -163,7 +164,9 @@ static step_limit limit_of(const ice *s, const rates *largest, double gravity, b
     }
     if (!(largest->diffusion * out.dt <= 1.0) && largest->diffusion > 0.0)
         out = (step_limit){1.0 / largest->diffusion, "viscosity or conduction on the cells"};
-    if (gravity > 0.0 && sqrt(1.0 / gravity) < out.dt) out = (step_limit){sqrt(1.0 / gravity), "gravity on the cells"};
+    const double share = implicit && ice_is_mixture(s) && !s->with_points ? ICE_RIPPLE_STEP : 1.0;
+    if (gravity > 0.0 && share * sqrt(1.0 / gravity) < out.dt)
+        out = (step_limit){share * sqrt(1.0 / gravity), "gravity on the cells"};
     return out;
 }
 

@@ -70,6 +70,7 @@ typedef struct ice_view {
     double limit_beyond; /* share of their range by which velocities may go beyond those of the neighbours (theory 3) */
     double length, finest; /* m: the largest spacing and the smallest */
     double share[3];       /* ratio of each axis' spacing to the largest: one on square cells */
+    double uneven;         /* 1: faces of 2.2 bear the weight of cells where it lies in them (ice_lean.h); 0: evenly */
     bool burns;            /* some solid on points reacts */
     bool reconcile;        /* cells are closed along isentropes (ice_follows_isentropes) */
     double

@@ -232,7 +232,7 @@ floe_status ice_cut_pressure_stages(ice *s)
     const bool m = ice_is_mixture(s), r = ice_reaction_count(s) > 0, slips = m && ice_some_pair_slips(s),
                t = ice_may_trace(s), implicit = s->implicit, viscous = ice_is_viscous(s), heat = s->heats_walls;
     STAGE(s, ALWAYS, ice_cut_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, WHEN(m, C_VOL)),
-          WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK, WHEN(m, C_VOL), WHEN(m, C_PRESSURE)));
+          WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK, WHEN(m, C_VOL), WHEN(m, C_PRESSURE), WHEN(m && implicit, C_OPEN)));
     STAGE(s, ALWAYS, ice_cut_pressure,
           READS(C_RHO, C_ENERGY, WHEN(m, C_VEL), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_PRESSURE),
                 WHEN(slips, C_OPEN)),
@@ -247,7 +247,7 @@ floe_status ice_cut_pressure_stages(ice *s)
     STAGE(s, ALWAYS, ice_cut_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(implicit && viscous, C_DIFFUSION), WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL),
-                WHEN(slips, C_WALL), WHEN(t, C_ENERGY), WHEN(t, C_OPEN), WHEN(m && t, C_KAPPA),
+                WHEN(slips, C_WALL), WHEN(t, C_ENERGY), WHEN(t || (implicit && m), C_OPEN), WHEN(m && t, C_KAPPA),
                 WHEN(m && t, C_INTERFACE)),
           WRITES(F_VEL, C_SHOCK, WHEN(t, C_OPEN), WHEN(t, C_PRESSURE), WHEN(t, C_SLOW_SHOCK), WHEN(t, C_ALONE),
                  WHEN(t, F_PRESSURE), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL)));

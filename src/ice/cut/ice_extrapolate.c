@@ -83,6 +83,8 @@ floe_status ice_extrapolate_states(ice *s, const ice_region *g)
     mark_open(s, g);
     extrapolate_layers(s, g);
     if (g->n > 1) ice_join_covered(s, g);
+    for (int r = g->first; g->n > 1 && s->implicit && r < g->first + g->n; ++r)
+        ice_fill_ghosts(s, C_OPEN, r, FILL_CURRENT, GHOST_EVEN); /* weight is borne evenly beside covered cells */
     return FLOE_OK;
 }
 

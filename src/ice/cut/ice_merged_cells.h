@@ -101,9 +101,11 @@ double ice_mean_face(const ice *s, int region, const int cell[3], int axis, int 
 bool ice_has_weight(const ice *s);
 /* Positions of the members relative to the open centroid of their merged cells. */
 void ice_merged_centre(const ice *s, int place, ice_merged_cells *p);
-/* Pressure difference (Pa) between a position relative to a member's centre (m) and its merged
- * cells. */
-double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[3]);
+/* Pressure difference (Pa) from the merged cells' to that at the centre of a member's cell, which is the mean of that cell were it whole; to a place from its centre;
+ * and to one of its faces. Where whole cells bear weight as it lies in them (theory 2.17), so do these. */
+double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member *m);
+double ice_rise_to_piece(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[3]);
+double ice_rise_to_face(const ice *s, const ice_merged_cells *p, const ice_member *m, int axis, int side);
 /* Converts the pressures of a region at t^n to those at the centres of the cells. */
 void ice_merged_lift(const ice *s, const ice_region *g);
 /* Whether a cell is merged or closed, so that its weight is not that of the whole cell. */

@@ -44,12 +44,11 @@ static void from_centre(const ice_piece_walk *w, double x[3])
 /* Pressure of the current gas on a piece. */
 static double pressure_on(const ice_piece_walk *w)
 {
-    static const double centre[3] = {0.0};
     const double P = ice_member_view(w->s, w->member)->P[w->member->at];
     double x[3];
     if (!ice_has_weight(w->s)) return P;
     from_centre(w, x);
-    return P + ice_merged_rise(w->s, w->p, w->member, x) - ice_merged_rise(w->s, w->p, w->member, centre);
+    return P + ice_rise_to_piece(w->s, w->p, w->member, x) - ice_merged_rise(w->s, w->p, w->member);
 }
 
 /* Force (N) of the fluids on a piece: their pressure, and the drag of each. */
@@ -185,13 +184,10 @@ void ice_merged_increment(const ice *s, const ice_region *g)
 static double add_weight(const ice *s, const ice_merged_cells *p, const ice_member *m, int axis, int side, double area,
                          double *sum)
 {
-    static const double centre[3] = {0.0};
-    double x[3] = {0.0};
     if (!ice_has_weight(s)) return 0.0;
-    x[axis] = (side == SIDE_UPPER ? 0.5 : -0.5) * s->mesh->h[axis];
-    const double rise = ice_merged_rise(s, p, m, x);
+    const double rise = ice_rise_to_face(s, p, m, axis, side);
     sum[MERGED_WEIGHT + axis] += area * m->face[axis][side] * rise;
-    return rise - ice_merged_rise(s, p, m, centre);
+    return rise - ice_merged_rise(s, p, m);
 }
 
 /* Where stresses and heat of a fluid of merged cells are summed: among several it has sums of its own. */
@@ -392,7 +388,8 @@ static void add_merged_sources(const ice *s, ice_merged_cells *p)
         force_on(&w, &f);
         for (int a = 0; a < s->mesh->dim; ++a) {
             if (ice_has_weight(s))
-                sum[MERGED_WEIGHT + a] += w.weight * s->dt * w.outward * w.piece->area[a] * ice_merged_rise(s, p, m, x);
+                sum[MERGED_WEIGHT + a] +=
+                    w.weight * s->dt * w.outward * w.piece->area[a] * ice_rise_to_piece(s, p, m, x);
             sum[MERGED_WORK] -= w.weight * f.all[a] * ice_at_middle(w.piece, s->mesh->dim, w.line->path, a);
         }
         add_drag(&w, &f);

@@ -3,12 +3,16 @@
  * stages of whole cells use the pressure at the centres of cells, so that their differences balance as those of a plain column do (theory 2.4). */
 #include "ice/cut/ice_merged_cells.h"
 #include "ice/state/ice_given.h"
+#include "ice/state/ice_lean.h"
+#include "ice/state/ice_traced.h"
 
 #include "base/memory.h"
 #include "scene/fluid_columns.h"
 
 #include <math.h>
 #include <string.h>
+
+static const int most_passes = 20; /* of densities and where they lie in cells, at the start */
 
 bool ice_has_weight(const ice *s)
 {
@@ -60,12 +64,47 @@ void ice_merged_centre(const ice *s, int place, ice_merged_cells *p)
     }
 }
 
-double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[3])
+/* Under cells that bear their weight evenly. */
+static double even_rise(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[3])
 {
     const ice_member *lead = &p->member[p->lead[m->merged]];
     double sum = 0.0;
     for (int a = 0; a < s->mesh->dim; ++a) sum += s->gravity[a] * (m->above[a] + from_centre[a]);
     return s->cut_cells->view[lead->block].rho_sum[lead->at] * sum;
+}
+
+double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member *m)
+{
+    static const double centre[3] = {0.0};
+    return even_rise(s, p, m, centre);
+}
+
+/* Along an axis, from the mean pressure of a member's cell to a place from its centre (m). */
+static double rise_along(const ice *s, const ice_member *m, int axis, double from_centre)
+{
+    const ice_view *v = ice_member_view(s, m);
+    const ptrdiff_t st = v->b->stride[axis];
+    const double *rho = v->rho_sum, *open = v->m[0].open, here = rho[m->at], z = from_centre / v->h[axis];
+    if (s->gravity[axis] == 0.0) return 0.0;
+    const bool alone = !(open[m->at - st] > 0.0 && open[m->at] > 0.0 && open[m->at + st] > 0.0);
+    return s->gravity[axis] * v->h[axis] *
+           (alone ? here * z : ice_mass_up_to(rho[m->at - st], here, rho[m->at + st], z));
+}
+
+double ice_rise_to_piece(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[3])
+{
+    if (!(ice_member_view(s, m)->uneven > 0.0)) return even_rise(s, p, m, from_centre);
+    double sum = ice_merged_rise(s, p, m);
+    for (int a = 0; a < s->mesh->dim; ++a) sum += rise_along(s, m, a, from_centre[a]);
+    return sum;
+}
+
+double ice_rise_to_face(const ice *s, const ice_merged_cells *p, const ice_member *m, int axis, int side)
+{
+    double x[3] = {0.0};
+    x[axis] = (side == SIDE_UPPER ? 0.5 : -0.5) * s->mesh->h[axis];
+    if (!(ice_member_view(s, m)->uneven > 0.0)) return even_rise(s, p, m, x);
+    return ice_merged_rise(s, p, m) + rise_along(s, m, axis, x[axis]);
 }
 
 bool ice_next_seen(const ice *s, const int cell[3], int *id, ptrdiff_t *at)
@@ -94,7 +133,6 @@ static void set_cell_pressure(const ice *s, const ice_member *m, double p)
 
 void ice_merged_lift(const ice *s, const ice_region *g)
 {
-    static const double centre[3] = {0.0};
     ice_merged_cells *p = &s->cut_cells->now[g->number];
     ice_cut_views(s, g);
     for (int n = 0; n < p->count; ++n) {
@@ -103,7 +141,7 @@ void ice_merged_lift(const ice *s, const ice_region *g)
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
-        set_cell_pressure(s, m, p->sum[(size_t)m->merged * MERGED_SUMS] + ice_merged_rise(s, p, m, centre));
+        set_cell_pressure(s, m, p->sum[(size_t)m->merged * MERGED_SUMS] + ice_merged_rise(s, p, m));
     }
 }
 
@@ -120,9 +158,11 @@ bool ice_is_merged(const ice *s, int region, const block *b, int i, int j, int k
 typedef struct rest_fill {
     ice *s;
     const ice_merged_cells *p;
-    double *pressure;    /* Pa, of every cell; NaN: not reached; owned */
-    double *given;       /* Pa: what it was given before, once it is reached; owned */
-    int *queue, n, next; /* cells reached; owned */
+    double *lean[MESH_MAX_DIM]; /* kg/m3, of every cell (ice_lean.h), where cells bear weight unevenly; owned */
+    double *pressure;           /* Pa, of every cell; NaN: not reached; owned */
+    double *given;              /* Pa: what it was given before, once it is reached; owned */
+    int *queue, n, next;        /* cells reached; owned */
+    bool again;                 /* pressures at rest have been set before */
 } rest_fill;
 
 static void cell_at(const mesh *m, int number, int cell[3])
@@ -156,6 +196,16 @@ static ice_given given_in(const ice *s, const int cell[3])
     return out;
 }
 
+/* The same with the pressure that it was given. */
+static ice_given given_at(const rest_fill *f, const int cell[3])
+{
+    ice_given out = given_in(f->s, cell);
+    const double since = f->again ? f->given[cut_index(f->s->mesh, cell)] - out.p : 0.0;
+    for (int r = 0; r < out.n; ++r) out.own[r] += since;
+    out.p += since;
+    return out;
+}
+
 static bool has_gas(const ice *s, const int cell[3])
 {
     ptrdiff_t at;
@@ -170,6 +220,12 @@ static void mark_reached(rest_fill *f, int number, double given, double p)
     f->queue[f->n++] = number;
 }
 
+/* kg/m3: of the weight on the face between a cell and the next along an axis, what the fluids' places in both add to the sum of their densities. */
+static double lean_between(const rest_fill *f, int here, int next, int axis, int step)
+{
+    return f->lean[axis] ? 2.0 * step * (f->lean[axis][next] - f->lean[axis][here]) : 0.0;
+}
+
 /* The cells beside one that has its pressure: as high, as it; above and below, by the densities of both. */
 static void reach_beside(rest_fill *f, int number)
 {
@@ -177,7 +233,7 @@ static void reach_beside(rest_fill *f, int number)
     const mesh *m = s->mesh;
     int here[3];
     cell_at(m, number, here);
-    const ice_given own = given_in(s, here);
+    const ice_given own = given_at(f, here);
     const double rho = ice_given_density(&own, f->pressure[number]);
     for (int side = 0; side < 2 * m->dim; ++side) {
         int cell[3] = {here[0], here[1], here[2]};
@@ -187,9 +243,10 @@ static void reach_beside(rest_fill *f, int number)
         const int other = (int)cut_index(m, cell);
         if (!isnan(f->pressure[other])) continue;
         const double weight = 0.5 * step * ice_weight_along(s, axis) * m->h[axis];
-        const ice_given next = given_in(s, cell);
+        const ice_given next = given_at(f, cell);
         const double base = f->pressure[number] + ice_given_rise(&own, &next);
-        mark_reached(f, other, next.p, ice_given_settle(&next, base, weight, 1.0, rho));
+        mark_reached(f, other, next.p,
+                     ice_given_settle(&next, base, weight, 1.0, rho + lean_between(f, number, other, axis, step)));
     }
 }
 
@@ -257,6 +314,7 @@ static double balance_merged_cell(const rest_fill *f, int merged, const ice_give
             const double half = 0.5 * step * ice_weight_along(s, axis) * m->h[axis];
             for (int a = 0; a < m->dim; ++a) lever += ice_weight_along(s, a) * q->above[a];
             /* p + rho' lever = p_cell - half (rho + rho') */
+            rho += lean_between(f, (int)cut_index(m, q->cell), beside, axis, step);
             const double base = f->pressure[beside] - half * rho + ice_given_rise(&whole, own);
             return ice_given_settle(own, base, -1.0, half + lever, 0.0);
         }
@@ -272,7 +330,7 @@ static floe_status fill_merged_cells(const rest_fill *f)
     for (int n = 0; n < f->p->count; ++n) {
         const ice_member *lead = &f->p->member[f->p->lead[n]];
         if (!has_gas(s, lead->cell)) continue;
-        const ice_given own = given_in(s, lead->cell);
+        const ice_given own = given_at(f, lead->cell);
         const double p = balance_merged_cell(f, n, &own);
         for (int k = 0; k < f->p->n; ++k)
             if (f->p->member[k].merged == n && has_gas(s, f->p->member[k].cell))
@@ -289,7 +347,7 @@ static floe_status fill_regions(rest_fill *f, int cells)
     for (int top = highest_cell(f, cells); top >= 0; top = highest_cell(f, cells)) {
         int cell[3];
         cell_at(s->mesh, top, cell);
-        const double given = given_in(s, cell).p;
+        const double given = given_at(f, cell).p;
         mark_reached(f, top, given, given);
         while (f->next < f->n) reach_beside(f, f->queue[f->next++]);
     }
@@ -303,6 +361,56 @@ static floe_status fill_regions(rest_fill *f, int cells)
     return fill_merged_cells(f);
 }
 
+static double density_of(const ice *s, const int cell[3])
+{
+    ptrdiff_t at;
+    const ice_view *v = view_at(s, cell, &at);
+    double rho = 0.0;
+    for (int r = 0; r < v->n_materials; ++r) rho += v->m[r].rho[at];
+    return rho;
+}
+
+/* Where the fluids of a cell lie along an axis; evenly beside the ends and cells that solids fill. */
+static double lean_in(const ice *s, int number, int axis)
+{
+    int here[3], lower[3], upper[3];
+    cell_at(s->mesh, number, here);
+    memcpy(lower, here, sizeof lower);
+    memcpy(upper, here, sizeof upper);
+    if (!mesh_step(s->mesh, lower, axis, -1) || !mesh_step(s->mesh, upper, axis, 1)) return 0.0;
+    if (!has_gas(s, here) || !has_gas(s, lower) || !has_gas(s, upper)) return 0.0;
+    return ice_lean(density_of(s, lower), density_of(s, here), density_of(s, upper));
+}
+
+/* By the densities found last; whether that has changed. */
+static bool find_cell_leans(const rest_fill *f, int cells)
+{
+    bool changed = false;
+    for (int a = 0; a < f->s->mesh->dim; ++a)
+        for (int k = 0; k < cells && f->s->gravity[a] != 0.0; ++k) {
+            const double lean = lean_in(f->s, k, a);
+            changed = changed || lean != f->lean[a][k];
+            f->lean[a][k] = lean;
+        }
+    return changed;
+}
+
+/* Where cells bear weight unevenly, densities and where they lie are found in turn. */
+static floe_status fill_to_rest(rest_fill *f, int cells)
+{
+    const bool leans = ice_bears_unevenly(f->s, f->p->region);
+    for (int a = 0; leans && a < f->s->mesh->dim; ++a)
+        TRY(memory_new(f->s->ctx, &f->lean[a], (size_t)cells, sizeof *f->lean[a]));
+    if (leans) find_cell_leans(f, cells);
+    TRY(fill_regions(f, cells));
+    for (int pass = 0; pass < most_passes && leans && find_cell_leans(f, cells); ++pass) {
+        f->n = f->next = 0;
+        f->again = true;
+        TRY(fill_regions(f, cells));
+    }
+    return FLOE_OK;
+}
+
 static floe_status bring_to_rest(ice *s, const ice_region *g)
 {
     const int cells = (int)mesh_cells(s->mesh);
@@ -311,7 +419,8 @@ static floe_status bring_to_rest(ice *s, const ice_region *g)
     floe_status status = memory_new(s->ctx, &f.pressure, (size_t)cells, sizeof *f.pressure);
     if (status == FLOE_OK) status = memory_new(s->ctx, &f.given, (size_t)cells, sizeof *f.given);
     if (status == FLOE_OK) status = memory_new(s->ctx, &f.queue, (size_t)cells, sizeof *f.queue);
-    if (status == FLOE_OK) status = fill_regions(&f, cells);
+    if (status == FLOE_OK) status = fill_to_rest(&f, cells);
+    for (int a = 0; a < MESH_MAX_DIM; ++a) memory_free(s->ctx, &f.lean[a]);
     memory_free(s->ctx, &f.pressure);
     memory_free(s->ctx, &f.given);
     memory_free(s->ctx, &f.queue);

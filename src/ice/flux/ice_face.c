@@ -14,6 +14,7 @@
 #include "ice/shock/ice_shock.h"
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
+#include "ice/state/ice_lean.h"
 #include "ice/state/ice_materials.h"
 #include "ice/state/ice_traced.h"
 #include "ice/trace/ice_trace.h"
@@ -41,6 +42,8 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
     const double pressure_impulse = v->dt * v->inv_h[axis], gravity_impulse = v->dt * v->gravity[axis],
                  sharpen = 0.125 * v->limit_hi,
                  drawn = (multi ? ICE_FAN_BESIDE_OTHERS : ICE_FAN_ALONE) * (1.0 - v->limit_lo);
+    const double *restrict all = multi ? v->rho_sum : m->rho, *restrict open = v->m[0].open;
+    const bool uneven = multi && v->uneven > 0.0 && v->gravity[axis] != 0.0;
     double quarter[3];
     ptrdiff_t st[3];
     for (int a = 0; a < dim; ++a) {
@@ -64,7 +67,9 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
         const double mean = rho[L] * (w[L] + (1.0 - shock[L]) * left) + rho[R] * (w[R] + (1.0 - shock[R]) * right);
         const double fractions = multi ? theta[L] + theta[R] : 2.0;
         const double here = multi ? sum * inverse : 1.0; /* what is absent has no velocity of its own */
-        face[R] = (mean - phi * pressure_impulse * fractions * (p[R] - p[L])) * inverse + here * phi * gravity_impulse +
+        const double weight = uneven ? ice_weight_on_face(all, open, R, step) : 1.0;
+        face[R] = (mean - phi * pressure_impulse * fractions * (p[R] - p[L])) * inverse +
+                  here * phi * gravity_impulse * weight +
                   here * sharpen * smooth * (1.0 + drawn * fan_share(w[R] - w[L], c[L] + c[R])) *
                       (w[L] + w[R] - w[L - step] - w[R + step]);
     }
@@ -128,12 +133,17 @@ FLOE_WIDE static void face_pressure_row(const ice_view *v, int r, int axis, int 
     const double *restrict P = v->P, *restrict rho = v->rho_sum;
     double *restrict face = v->fp[axis];
     const double *alone = v->traced ? v->alone : NULL;
+    const double weight = v->uneven * v->gravity[axis] * v->h[axis], *restrict open = v->m[0].open;
 #pragma omp simd
     for (ptrdiff_t i = 0; i < n; ++i) {
         const ptrdiff_t R = base + i, L = R - step;
         const double found = face[R];
         /* P_L plus a part of the difference: exact where P is uniform */
-        const double centred = P[L] + rho[L] / (rho[L] + rho[R]) * (P[R] - P[L]);
+        const double share = rho[L] / (rho[L] + rho[R]), even = P[L] + share * (P[R] - P[L]);
+        /* at rest P_L and the weight of the upper half of the lower cell */
+        const double centred = weight == 0.0 ? even
+                                             : even - weight * ((1.0 - share) * ice_lean_open(rho, open, L, step) +
+                                                                share * ice_lean_open(rho, open, R, step));
         face[R] = alone && alone[R] > 0.0 && alone[L] > 0.0 ? found : centred;
     }
 }

@@ -10,6 +10,7 @@
 #include "ice/shock/ice_shock.h"
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
+#include "ice/state/ice_lean.h"
 #include "ice/state/ice_materials.h"
 #include "ice/state/ice_walk.h"
 
@@ -82,7 +83,8 @@ static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
     if (!inner_faces(s, v, axis, j, k, &from, &to)) return;
     const ptrdiff_t step = v->b->stride[axis];
     const double pressure_impulse = v->dt * v->inv_h[axis], gravity_impulse = v->dt * v->gravity[axis];
-    const double *restrict p = v->p, *restrict c = v->dP, *restrict shock = v->shock;
+    const double *restrict p = v->p, *restrict c = v->dP, *restrict shock = v->shock, *restrict all = v->rho_sum;
+    const bool uneven = v->uneven > 0.0 && v->gravity[axis] != 0.0;
     for (int r = 0; r < v->n_materials; ++r) {
         const double *restrict mobility = v->m[r].mobility[axis];
         double *restrict face = v->m[r].fu[axis];
@@ -90,8 +92,9 @@ static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
         for (ptrdiff_t R = from; R < to; ++R) {
             const ptrdiff_t L = R - step;
             const double now = 0.5 + 0.25 * (shock[L] + shock[R]), phi = ice_implicit_phi(v, now), more = phi - now;
-            face[R] +=
-                more * gravity_impulse - pressure_impulse * mobility[R] * (more * (p[R] - p[L]) + phi * (c[R] - c[L]));
+            const double weight = uneven ? ice_weight_on_face(all, v->m[0].open, R, step) : 1.0;
+            face[R] += more * gravity_impulse * weight -
+                       pressure_impulse * mobility[R] * (more * (p[R] - p[L]) + phi * (c[R] - c[L]));
         }
     }
 }

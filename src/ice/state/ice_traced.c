@@ -30,7 +30,7 @@ bool ice_traces_shared(const ice *s, const ice_region *g)
 
 bool ice_bears_unevenly(const ice *s, const ice_region *g)
 {
-    return ice_is_traced(s, g) && !s->cut && ice_traces_shared(s, g);
+    return (s->implicit || (ice_is_traced(s, g) && !s->cut)) && ice_traces_shared(s, g);
 }
 
 bool ice_is_traced(const ice *s, const ice_region *g)
