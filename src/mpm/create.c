@@ -157,7 +157,7 @@ static floe_status create_parts(mpm *s)
     TRY(motions_create(s));
     TRY(supports_create(s));
     TRY(memory_new(s->ctx, &s->surfaces, 1, sizeof *s->surfaces));
-    TRY(memory_new(s->ctx, &s->springs, SCENE_MAX_SPRINGS, sizeof *s->springs));
+    TRY(create_springs(s));
     if (encloses_points(s)) TRY(memory_new(s->ctx, &s->enclosure, 1, sizeof *s->enclosure));
     if (has_fluid_points(s) && s->scene->method.density != DENSITY_CONTINUITY)
         TRY(memory_new(s->ctx, &s->cell_mass, mesh_cells(s->mesh), sizeof *s->cell_mass));
@@ -245,7 +245,7 @@ void mpm_destroy(mpm **s)
     free_saved_points(*s);
     edges_free(*s);
     wetted_free(*s);
-    memory_free(ctx, &(*s)->springs);
+    free_springs(*s);
     memory_free(ctx, &(*s)->cell_mass);
     memory_free(ctx, &(*s)->moved);
     contact_destroy(*s);

@@ -120,6 +120,7 @@ typedef struct scene_body {
     double temperature;      /* K */
     double density;          /* kg/m3; fluids: NAN when given by pressure and temperature, else temperature is NAN */
     double fraction;         /* fluids in cells: share of its shape's volume that it takes; 0: all of it */
+    double stress[6];        /* Pa: of a solid at the start, beside the reference pressure (xx yy zz xy yz zx) */
     bool initial_from_exact; /* density, velocity, pressure or stress come from verify.exact at t = 0 */
     int per_cell[3];         /* points along each axis of a cell */
     seed_method seeding;
@@ -127,10 +128,10 @@ typedef struct scene_body {
     bool yields; /* other bodies replace it where they overlap (layout.h) */
 } scene_body;
 
-/* An end of a spring: a point of a body, or a fixed position. */
+/* An end of a spring: a point of a body, a place of it, or a fixed position. */
 typedef struct scene_spring_end {
     int body;        /* -1: a fixed position */
-    int point;       /* of the body, counted from 1 in the order of seeding */
+    int point;       /* of the body, counted from 1 in the order of seeding; 0: its place at the start */
     double place[3]; /* m */
 } scene_spring_end;
 
@@ -139,6 +140,7 @@ typedef struct scene_spring {
     char name[SCENE_NAME];
     scene_spring_end end[2];
     double stiffness;   /* N/m, of the whole scene */
+    double damping;     /* N s/m, of the whole scene */
     double rest_length; /* m; NAN: as it is at the start */
     bool one_way;       /* a tether: it has no compression */
 } scene_spring;
@@ -154,7 +156,7 @@ typedef enum load_kind {
     LOAD_PRESSURISE, /* energy into a fluid inside a region until its pressure reaches target; follows a linear ramp */
     LOAD_HEAT,       /* energy into a fluid inside a region at a given power density, W/m3 */
     LOAD_TRACTION,  /* pressure (compression positive), a vector or both on the surface of a shape that bounds a body */
-    LOAD_BODY_FORCE /* m/s2 on a body, or on everything (gravity) */
+    LOAD_BODY_FORCE /* m/s2 on a body, or on everything; in a region */
 } load_kind;
 
 typedef struct scene_load {
@@ -162,7 +164,8 @@ typedef struct scene_load {
     load_kind kind;
     int material; /* LOAD_PRESSURISE, LOAD_HEAT: which fluid */
     int body;     /* LOAD_TRACTION, LOAD_BODY_FORCE: which body; -1 all */
-    /* Heat: where; traction: the surface of this shape is loaded (the body lies outside it or inside it). */
+    bool gravity; /* LOAD_BODY_FORCE: the deck calls it so */
+    /* Heat, body force: where; traction: the surface of this shape is loaded (the body lies outside it or inside it). */
     shape region;
     double start; /* s */
     double ramp;  /* s; 0 with ramp_steps > 0 means that many steps */

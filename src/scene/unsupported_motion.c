@@ -41,13 +41,6 @@ static bool has_traction(const scene *s, int body)
     return false;
 }
 
-static bool has_spring(const scene *s, int body)
-{
-    for (int k = 0; k < s->n_springs; ++k)
-        if (s->spring[k].end[0].body == body || s->spring[k].end[1].body == body) return true;
-    return false;
-}
-
 static bool burns(const scene *s, int body)
 {
     for (int k = 0; k < s->n_reactions; ++k)
@@ -107,7 +100,6 @@ static const struct {
     {has_exact_state, "its state is that of its motion: leave 'state: exact' out"},
     {has_two_velocities, "its velocity is that of its motion: leave 'velocity' out"},
     {has_traction, "a traction acts on a body that deforms: leave the load out; a rigid body takes a body_force"},
-    {has_spring, "springs hold bodies that deform: leave the spring out, or fasten it to a position"},
     {burns, "a body that burns loses points: leave the motion out, or the reaction"},
     {is_damped, "damping acts on nodes, and a rigid body has none of its own: leave the damping out"},
     {has_sources, "the sources of verify act on bodies that deform: leave them out"},

@@ -1,4 +1,5 @@
-/* Springs between points, tethers, and supports: two masses that swing against each other; a slack tether that stops a fall; momentum. */
+/* Springs between points and places of bodies, tethers, dashpots, and supports: two masses that swing against each other; a slack tether that stops a
+ * fall; momentum; blocks that swing and turn on a spring off their centre, rigid ones and such as deform. */
 #include "coupled_fixture.h"
 
 static const double pi = 3.14159265358979323846;
@@ -126,6 +127,103 @@ static void test_support(void **unused)
     trial_end(&t);
 }
 
+/* A block of mass m and inertia I on a spring from (0.2, 0.5) to its place at (0.9, 0.58), 0.1 longer than at rest, at time t: Runge and Kutta's
+ * method of the fourth order for the centre, the angle and their rates. */
+static void rigid_rates(const double y[6], double m, double inertia, double rate[6])
+{
+    const double c = cos(y[2]), s = sin(y[2]), rx = -0.1 * c - 0.08 * s, ry = -0.1 * s + 0.08 * c;
+    const double dx = 0.2 - y[0] - rx, dy = 0.5 - y[1] - ry, length = hypot(dx, dy);
+    const double pull = 4000.0 * (1.0 - (hypot(0.7, 0.08) - 0.1) / length);
+    for (int k = 0; k < 3; ++k) rate[k] = y[3 + k];
+    rate[3] = pull * dx / m;
+    rate[4] = pull * dy / m;
+    rate[5] = pull * (rx * dy - ry * dx) / inertia;
+}
+
+static void rigid_swing(double m, double inertia, double until, double y[6])
+{
+    static const double ahead[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
+    const int n = 4000;
+    const double start[6] = {1.0, 0.5};
+    memcpy(y, start, sizeof start);
+    for (int step = 0; step < n; ++step) {
+        double sum[6] = {0.0}, rate[6] = {0.0}, at[6];
+        for (int part = 0; part < 4; ++part) {
+            for (int k = 0; k < 6; ++k) at[k] = y[k] + ahead[part] * until / n * rate[k];
+            rigid_rates(at, m, inertia, rate);
+            for (int k = 0; k < 6; ++k) sum[k] += weight[part] * rate[k];
+        }
+        for (int k = 0; k < 6; ++k) y[k] += until / n / 6.0 * sum[k];
+    }
+}
+
+/* How far (m) the centre of that block is off after a turn of 2.5 radians. `cells` of its side. */
+/* On the mesh a body resists turning with its mass spread by quadratic splines, m h^2 / 2 more than its points have (docs/limits.md). */
+static double swing_of_block(int cells, bool rigid, double *energy)
+{
+    const double size[3] = {2.0, 1.0, 0.0}, until = 0.35, h = 0.2 / cells,
+                 of_points = 40.0 * 0.08 / 12.0 * (1.0 - 1.0 / (4.0 * cells * cells));
+    double y[6];
+    trial t;
+    mpm_totals sum;
+    trial_begin(&t, 2, size, h);
+    (void)snprintf(t.scene->method.transfer, sizeof t.scene->method.transfer, "afmpm");
+    const int steel = add_solid(&t, "linear_elastic", 1e7, 5e6, 1000.0);
+    scene_body *b =
+        add_body(&t, steel, make_box(&t, (const double[]){0.9, 0.4, 0.0}, (const double[]){1.1, 0.6, 0.0}), 2);
+    if (rigid) b->motion = (scene_motion){.kind = MOTION_RIGID, .about = {NAN, NAN, NAN}, .axis = {0.0, 0.0, 1.0}};
+    scene_spring *spring = add_spring(&t, 4000.0, hypot(0.7, 0.08) - 0.1);
+    spring->end[0] = (scene_spring_end){.body = -1, .place = {0.2, 0.5}};
+    spring->end[1] = (scene_spring_end){.body = 0, .place = {0.9, 0.58}};
+    trial_start(&t);
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
+    check_close_relative(sum.springs, 0.5 * 4000.0 * 0.01, 1e-12);
+    trial_run(&t, until);
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
+    rigid_swing(40.0, of_points + (rigid ? 0.0 : 40.0 * 0.5 * h * h), until, y);
+    const double off = hypot(sum.moment[0][0] / 40.0 - y[0], sum.moment[0][1] / 40.0 - y[1]);
+    *energy = ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY);
+    print_message("block of %d cells, %s: centre %.2g m off, turned by %.3g; energy %.1e\n", cells,
+                  rigid ? "rigid" : "elastic", off, y[2], *energy);
+    check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MOMENTUM_Z) < 1e-12);
+    trial_end(&t);
+    return off;
+}
+
+static void test_places(void **unused)
+{
+    (void)unused;
+    double energy;
+    check_true(swing_of_block(4, true, &energy) < 9e-6 && energy < 1.4e-3);
+    check_true(swing_of_block(8, true, &energy) < 9e-6 && energy < 1.5e-3);
+    check_true(swing_of_block(4, false, &energy) < 2e-4);
+    check_true(swing_of_block(8, false, &energy) < 2.4e-4);
+}
+
+/* x = L + A exp(-zeta omega t) (cos(w t) + zeta omega / w sin(w t)), w = omega sqrt(1 - zeta^2); the ledger has what is lost. */
+static void test_dashpot(void **unused)
+{
+    (void)unused;
+    double places[] = {0.75, 1.02, 0.0, 1.25, 1.02, 0.0};
+    const double reduced = 2.0 / 3.0, omega = sqrt(50.0 / reduced), zeta = 0.1, w = omega * sqrt(1.0 - zeta * zeta);
+    trial t;
+    mpm_totals sum;
+    begin(&t, "quadratic", places);
+    add_spring(&t, 50.0, 0.45)->damping = 2.0 * zeta * omega * reduced;
+    trial_start(&t);
+    trial_run(&t, 0.9);
+    const double now = t.sim->time,
+                 x = 0.45 + 0.05 * exp(-zeta * omega * now) * (cos(w * now) + zeta * omega / w * sin(w * now));
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
+    const ledger_sum *lost = &t.sim->ledger.entry[LEDGER_ENERGY][LEDGER_DAMPING];
+    print_message("dashpot: %.2g m off; energy drift %.2g, lost %.3g of %.3g\n",
+                  place_of(&t, 1, 0) - place_of(&t, 0, 0) - x, ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY),
+                  -(lost->value + lost->carry), 0.5 * 50.0 / 0.5 * 0.0025);
+    check_close(place_of(&t, 1, 0) - place_of(&t, 0, 0), x, 1.6e-4);
+    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 4.2e-4 && lost->value < -0.09);
+    trial_end(&t);
+}
+
 static void test_refusals(void **unused)
 {
     (void)unused;
@@ -135,6 +233,12 @@ static void test_refusals(void **unused)
     add_spring(&t, 50.0, 0.45)->end[1].point = 2;
     assert_int_equal(sim_create(&t.sim, t.ctx, t.scene, COUPLING_MPM), FLOE_BAD_INPUT);
     assert_non_null(strstr(context_message(t.ctx), "point: 2: body 'body1' has only 1 point"));
+    trial_end(&t);
+    begin(&t, "quadratic", places);
+    add_spring(&t, 50.0, 0.45)->end[1] = (scene_spring_end){.body = 1, .place = {1.4, 1.02}};
+    assert_int_equal(sim_create(&t.sim, t.ctx, t.scene, COUPLING_MPM), FLOE_BAD_INPUT);
+    assert_non_null(
+        strstr(context_message(t.ctx), "body 'body1' is not there; its nearest point is at (1.25, 1.02, 0)"));
     trial_end(&t);
     begin(&t, "quadratic", places);
     scene_support *pin = &t.scene->support[t.scene->n_supports++];
@@ -148,10 +252,8 @@ static void test_refusals(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_masses),
-        cmocka_unit_test(test_tether),
-        cmocka_unit_test(test_support),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_masses), cmocka_unit_test(test_tether),  cmocka_unit_test(test_support),
+        cmocka_unit_test(test_places), cmocka_unit_test(test_dashpot), cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

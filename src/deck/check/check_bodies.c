@@ -140,8 +140,8 @@ static floe_status check_body(reader *r, const scene_body *b)
     return m->kind == MATERIAL_FLUID ? check_fluid_body(r, b, m) : check_solid_body(r, b, m);
 }
 
-/* Springs and supports act on points, in the field that all of them share. */
-static floe_status check_points_only(reader *r, const char *key, int n)
+/* Springs and supports act on points; `smeared`: also where these share cells with fluids. */
+static floe_status check_points_only(reader *r, const char *key, int n, bool smeared)
 {
     const scene_coupling cells[] = {COUPLING_ICE, COUPLING_ICE_MPM};
     const bool is_cut =
@@ -149,17 +149,17 @@ static floe_status check_points_only(reader *r, const char *key, int n)
     for (int b = 0; b < r->scene->n_bodies; b++)
         if (r->scene->body[b].material < 0) return FLOE_OK; /* another error */
     for (int i = 0; n > 0 && i < 2; i++) {
-        if (!scene_runs_as(r->scene, cells[i]) || (i == 1 && is_cut)) continue;
-        return bad_at(r, KEY(key), "coupling: mpm", NULL, "%s act on material points alone, and this deck runs as '%s'",
-                      key, coupling_name(cells[i]));
+        if (!scene_runs_as(r->scene, cells[i]) || (i == 1 && (is_cut || smeared))) continue;
+        return bad_at(r, KEY(key), smeared ? "coupling: mpm or ice-mpm" : "coupling: mpm", NULL,
+                      "%s act on material points alone, and this deck runs as '%s'", key, coupling_name(cells[i]));
     }
     return FLOE_OK;
 }
 
 floe_status check_bodies(reader *r)
 {
-    TRY(check_points_only(r, "springs", r->scene->n_springs));
-    TRY(check_points_only(r, "supports", r->scene->n_supports));
+    TRY(check_points_only(r, "springs", r->scene->n_springs, true));
+    TRY(check_points_only(r, "supports", r->scene->n_supports, false));
     for (int i = 0; i < r->scene->n_bodies; i++) TRY(check_body(r, &r->scene->body[i]));
     return FLOE_OK;
 }

@@ -419,7 +419,7 @@ static const key_spec deck_keys[] = {
     {"reactions", KEY_NAMED, AT(scene, reaction), .items = &items_reactions, .otherwise = "none",
      .doc = "what becomes another fluid of the cells"},
     {"springs", KEY_NAMED, AT(scene, spring), .items = &items_springs,
-     .doc = "massless springs and tethers between material points, in coupling mpm"},
+     .doc = "massless springs, tethers and dashpots between places of bodies of material points"},
     {"supports", KEY_NAMED, AT(scene, support), .items = &items_supports, .doc = "regions that hold material points"},
     {"damping", KEY_MAP, AT(scene, damping), .table = &damping_table, .doc = "damping of material points"},
     {"time", KEY_MAP, AT(scene, time), .table = &time_table, .required = true, .doc = "time stepping"},

@@ -1,27 +1,21 @@
-/* Springs and tethers between points, or between a point and a fixed position (spring.c). Private to the mpm module. */
+/* Springs, tethers and dashpots between places of bodies, or between one and a fixed position (theory 4.13). Private to the mpm module. */
 #ifndef MPM_SPRING_H
 #define MPM_SPRING_H
 
 #include "mpm/mpm.h"
 
-/* Where a point was last found: a first guess for the next search. */
-typedef struct spring_end {
-    int block;
-    size_t index;
-} spring_end;
-
-typedef struct spring_state {
-    spring_end end[2];
-    double rest_length; /* m */
-} spring_state;
-
-/* Finds their points, and their lengths at rest. */
+/* Places the ends on points, and finds lengths at rest. Errors: FLOE_BAD_INPUT where a body has no such place, FLOE_NO_MEMORY. */
 floe_status start_springs(mpm *s);
-/* Adds their forces to N_FORCE of a group. */
+/* Storage for them. */
+floe_status create_springs(mpm *s);
+void free_springs(mpm *s);
+/* Adds their forces to N_FORCE of a group, or to those on a body that does not deform. */
 void scatter_springs(mpm *s, int group);
+/* Enters what dashpots have taken in the step; once points have their next positions. */
+void enter_dashpots(mpm *s);
 /* Their energy (J). */
 double spring_energy(const mpm *s);
 /* The rate (1/s) with which they bound the step, and the name of the spring that does. */
-double spring_rate(const mpm *s, const char **name);
+double spring_rate(mpm *s, const char **name);
 
 #endif

@@ -1,5 +1,6 @@
 /* The step of bodies that do not deform (motion.h). */
 #include "mpm/motion/motion.h"
+#include "mpm/motion/motion_springs.h"
 #include "mpm/motion/motion_ties.h"
 
 #include "base/memory.h"
@@ -87,7 +88,24 @@ void motions_take_body_forces(mpm *s)
     }
 }
 
+void motion_take_field(mpm *s, int body, const double force[3], const double moment[3])
+{
+    body_motion *m = &s->motions->body[body - s->n_deforming];
+    const bool moves = !motion_is_prescribed(m->given);
+    for (int a = 0; a < 3; ++a) {
+        m->field_force[a] = moves ? force[a] : 0.0;
+        m->field_moment[a] = moves ? moment[a] : 0.0;
+    }
+}
+
 /* ---- the step ---- */
+
+/* Moment about the body's centre of mass of forces that change with place. */
+static void field_moment_about_centre(const body_motion *m, double moment[3])
+{
+    vec_cross(m->field_force, m->sums.centre, moment);
+    for (int a = 0; a < 3; ++a) moment[a] += m->field_moment[a];
+}
 
 /* Forces beside cells are those of the start of the step, and act half before and half after it (second order); those
  * of points alone act in between two half steps, and those of an implicit pressure before the motion that they go with (theory 7.8). */
@@ -125,8 +143,10 @@ static void start_free(const mpm *s, body_motion *m)
     for (int a = 0; a < 3; ++a) {
         m->now.c[a] = m->sums.centre[a];
         m->now.v[a] = m->slides[a] && m->sums.mass > 0.0 ? m->sums.momentum[a] / m->sums.mass : 0.0;
-        m->impulse[a] = m->sums.mass * m->acceleration[a] * s->kick;
+        m->impulse[a] = (m->sums.mass * m->acceleration[a] + m->field_force[a]) * s->kick;
     }
+    field_moment_about_centre(m, m->moment);
+    for (int a = 0; a < 3; ++a) m->moment[a] *= s->kick;
     rigid_spin(m->sums.inertia, m->turns, m->sums.spin, m->now.w);
     rigid_free_turn(m->sums.inertia, m->sums.spin, m->turns, s->dt, m->coast);
 }
@@ -229,6 +249,68 @@ void motion_load(const mpm *s, body_motion *m, const double x[3], const double f
     for (int a = 0; a < 3; ++a) m->load_work += force[a] * path[a];
 }
 
+/* The centre moves on with its velocity, and the body turns on. */
+static void foresee_turn(const mpm *s, const body_motion *m, double centre[3], double turn[9])
+{
+    const double ahead = (1.0 - share_before(s)) * s->dt;
+    for (int a = 0; a < 3; ++a) centre[a] = m->now.c[a] + ahead * m->now.v[a];
+    if (motion_is_prescribed(m->given)) {
+        double axis[3], angle;
+        motion_axis(m->given, axis);
+        motion_travel(m->given, s->time, s->time + ahead, centre, &angle);
+        for (int a = 0; a < 3; ++a) centre[a] += m->now.c[a];
+        rigid_rotation(axis, angle, turn);
+    } else {
+        rigid_free_turn(m->sums.inertia, m->sums.spin, m->turns, ahead, turn);
+    }
+}
+
+bool motion_has_body(const mpm *s, int body)
+{
+    return body >= s->n_deforming;
+}
+
+void motion_foresee(const mpm *s, int body, const double x[3], double ahead[3])
+{
+    const body_motion *m = motion_of_group(s, s->body[body].group);
+    double centre[3], turn[9], r[3];
+    if (share_before(s) == 1.0) {
+        memmove(ahead, x, 3 * sizeof *x);
+        return;
+    }
+    foresee_turn(s, m, centre, turn);
+    for (int a = 0; a < 3; ++a) r[a] = x[a] - m->now.c[a];
+    for (int a = 0; a < 3; ++a)
+        ahead[a] = centre[a] + turn[3 * a] * r[0] + turn[3 * a + 1] * r[1] + turn[3 * a + 2] * r[2];
+}
+
+void motion_push(mpm *s, int body, const double ahead[3], const double force[3])
+{
+    body_motion *m = motion_of_group(s, s->body[body].group);
+    double centre[3], turn[9], x[3];
+    memcpy(x, ahead, sizeof x);
+    if (share_before(s) != 1.0) {
+        foresee_turn(s, m, centre, turn);
+        for (int a = 0; a < 3; ++a) x[a] += m->now.c[a] - centre[a]; /* the moment is about the centre there */
+    }
+    motion_load(s, m, x, force);
+}
+
+double motion_compliance(mpm *s, int body, const double x[3], const double unit[3])
+{
+    const body_motion *m = motion_of_group(s, s->body[body].group);
+    double r[3], turn[3], w[3], out = 0.0;
+    rigid_sums sums;
+    if (motion_is_prescribed(m->given)) return 0.0;
+    rigid_sum_points(s, m->body, &sums);
+    if (!(sums.mass > 0.0)) return 0.0;
+    for (int a = 0; a < 3; ++a) r[a] = x[a] - sums.centre[a];
+    vec_cross(r, unit, turn);
+    rigid_spin(sums.inertia, m->turns, turn, w);
+    for (int a = 0; a < 3; ++a) out += (m->slides[a] ? unit[a] * unit[a] / sums.mass : 0.0) + turn[a] * w[a];
+    return out;
+}
+
 void motions_solve(mpm *s)
 {
     for (int i = 0; s->motions && i < s->motions->n; ++i)
@@ -309,10 +391,12 @@ static rigid_state state_at_end(const body_motion *m)
 /* What body forces give a free body. */
 static void enter_body_force(mpm *s, const body_motion *m)
 {
-    double impulse[3], moment[3] = {0.0}, work = 0.0;
+    double impulse[3], moment[3], work = 0.0;
+    field_moment_about_centre(m, moment);
     for (int a = 0; a < 3; ++a) {
-        impulse[a] = m->sums.mass * m->acceleration[a] * s->kick;
-        work += impulse[a] * m->working[0][a];
+        impulse[a] = (m->sums.mass * m->acceleration[a] + m->field_force[a]) * s->kick;
+        moment[a] *= s->kick;
+        work += impulse[a] * m->working[0][a] + moment[a] * m->working[1][a];
         if (a < s->mesh->dim)
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, impulse[a]);
     }
@@ -356,10 +440,12 @@ static void enter_prescription(mpm *s, const body_motion *m)
 
 static void note_force(const mpm *s, body_motion *m)
 {
+    double turning[3];
+    field_moment_about_centre(m, turning);
     for (int a = 0; a < 3; ++a) {
-        const double weight = m->sums.mass * m->acceleration[a] * s->kick;
+        const double weight = (m->sums.mass * m->acceleration[a] + m->field_force[a]) * s->kick;
         m->force[a] = (m->impulse[a] + m->loads[a] - weight) / s->kick;
-        m->torque[a] = (m->moment[a] + m->load_moment[a]) / s->kick;
+        m->torque[a] = (m->moment[a] + m->load_moment[a]) / s->kick - turning[a];
     }
 }
 

@@ -38,6 +38,7 @@ typedef struct body_motion {
     double contact[3], contact_moment[3], contact_work; /* of these, by contact */
     double force[3], torque[3];                         /* N, N m: means over the last step, without body forces */
     double acceleration[3];                             /* m/s2: body forces on a free one */
+    double field_force[3], field_moment[3]; /* N, N m about the origin: of body forces that change with place */
 } body_motion;
 
 struct mpm_motions {
@@ -52,6 +53,8 @@ void motions_free(mpm *s);
 void motions_start(mpm *s);
 /* Takes the bodies' accelerations from their points. */
 void motions_take_body_forces(mpm *s);
+/* Takes force (N) and moment about the origin (N m) of body forces that change with place; after the accelerations. */
+void motion_take_field(mpm *s, int body, const double force[3], const double moment[3]);
 /* Largest rate (1/s) at which points of a body cross cells, as far as it is known. */
 double motion_rate(const mpm *s, int body);
 

@@ -4,6 +4,7 @@
 #include "grid/tile_box.h"
 #include "mpm/edge/edge.h"
 #include "mpm/loads/point_loads.h"
+#include "mpm/loads/spring.h"
 #include "mpm/membrane/membrane_points.h"
 #include "mpm/motion/motion.h"
 #include "mpm/mpm_constants.h"
@@ -354,6 +355,7 @@ floe_status mpm_nodes_to_points(mpm *s)
     if (usl) TRY(set_heating(s));
     TRY(pass_points(s, (tile_pass){.velocity = N_VEL_L, .motion = true, .stress = usl, .carry = carries_gradient(s)}));
     TRY(motions_move(s));
+    enter_dashpots(s);
     for (int g = 0; g < s->n_groups; ++g) {
         move_surfaces(s, g);
         move_markers(s, g);
