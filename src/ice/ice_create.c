@@ -108,7 +108,7 @@ void ice_set_gravity(ice *s, double t)
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load *load = &s->scene->load[l];
         double acceleration[3];
-        if (load->kind != LOAD_BODY_FORCE || load->body >= 0) continue;
+        if (load->kind != LOAD_BODY_FORCE || load->body >= 0 || !load_is_uniform(s->scene, load)) continue;
         load_acceleration(s->scene, load, t, acceleration);
         for (int a = 0; a < s->mesh->dim; ++a) s->gravity[a] += acceleration[a];
     }

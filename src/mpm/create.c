@@ -136,7 +136,8 @@ static bool body_carries(const mpm *s, int body, field_id id)
     if (id == P_TANGENT || id == P_STRAIN) return b->membrane.model && !is_sheet(s, body);
     if (id == P_STRAIN_HOOP) return b->membrane.model && !is_sheet(s, body) && s->mesh->geometry == MESH_AXISYMMETRIC;
     if (id == P_SURFACE_1 || id == P_SURFACE_2) return b->membrane.model && is_sheet(s, body);
-    if (id == P_REST || id == P_DRIVE) return is_driven(s, body);
+    if (id == P_REST) return exact_drives(s, body);
+    if (id == P_DRIVE) return is_driven(s, body);
     if (id == P_NORMAL) return normals_are_free(s, body);
     return true;
 }

@@ -132,7 +132,8 @@ static floe_status free_point_stage(mpm *s)
 floe_status mpm_mass_stages(mpm *s)
 {
     const bool force = forces_at_once(s), drive = s->carries[P_DRIVE] && force;
-    STAGE(s, s->carries[P_DRIVE], mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
+    STAGE(s, s->carries[P_DRIVE], mpm_drive_points, READS(WHEN(s->carries[P_REST], P_REST), P_POS, P_J),
+          WRITES(P_DRIVE));
     TRY(free_point_stage(s));
     STAGE(s, s->enclosure, mpm_enclosed_pressure,
           READS(P_ID, P_POS, P_NORMAL, P_SURFACE_1, P_SURFACE_2, P_VOLUME0, P_STRESS, P_J), WRITES(NOTHING));
@@ -312,7 +313,8 @@ static floe_status implicit_stages(mpm *s)
         return turn_stages(s);
     }
     TRY(follow_supports(s));
-    STAGE(s, s->carries[P_DRIVE], mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
+    STAGE(s, s->carries[P_DRIVE], mpm_drive_points, READS(WHEN(s->carries[P_REST], P_REST), P_POS, P_J),
+          WRITES(P_DRIVE));
     TRY(free_point_stage(s));
     STAGE(s, ALWAYS, mpm_implicit_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));

@@ -38,7 +38,9 @@ void scene_find_pulls(const scene *s, double pull[SCENE_MAX_BODIES][3])
     for (int l = 0; l < s->n_loads; ++l) {
         const scene_load *load = &s->load[l];
         double acceleration[3];
-        if (load->kind != LOAD_BODY_FORCE || load->start > 0.0 || load->ramp > 0.0 || load->ramp_steps > 0) continue;
+        if (load->kind != LOAD_BODY_FORCE || !load_is_uniform(s, load) || load->start > 0.0 || load->ramp > 0.0 ||
+            load->ramp_steps > 0)
+            continue;
         load_acceleration(s, load, 0.0, acceleration);
         for (int b = 0; b < s->n_bodies; ++b)
             for (int a = 0; a < s->mesh.dim; ++a)

@@ -169,6 +169,28 @@ void load_acceleration(const scene *s, const scene_load *load, double t, double 
     load_vector(s, load, nowhere, t, out);
 }
 
+bool load_is_uniform(const scene *s, const scene_load *load)
+{
+    bool varies = load->region.model != NULL;
+    for (int a = 0; a < 3; ++a) {
+        const expression *formula = scene_formula_of(s, &load->vector[a]);
+        varies = varies || (formula && expression_has_place(formula));
+    }
+    return !varies;
+}
+
+bool load_is_field_on(const scene *s, const scene_load *load, int body)
+{
+    return load->kind == LOAD_BODY_FORCE && (load->body < 0 || load->body == body) && !load_is_uniform(s, load);
+}
+
+bool scene_has_field_on(const scene *s, int body)
+{
+    bool any = false;
+    for (int l = 0; l < s->n_loads; ++l) any = any || load_is_field_on(s, &s->load[l], body);
+    return any;
+}
+
 /* Whether a ramp is in progress in the step, or held after it. */
 static bool ramp_acts(const scene_load *load, const load_step *step)
 {

@@ -60,6 +60,12 @@ double load_fraction(const scene_load *load, const load_step *step);
 double load_target(const scene *s, const scene_load *load, const double x[3], double t);
 void load_vector(const scene *s, const scene_load *load, const double x[3], double t, double out[3]);
 void load_acceleration(const scene *s, const scene_load *load, double t, double out[3]);
+/* Whether a body force is one acceleration wherever it acts, and acts everywhere: others are force fields. */
+bool load_is_uniform(const scene *s, const scene_load *load);
+/* Whether a load is a force field that acts on a body of the scene; of -1: on everything, fluids on cells with it. */
+bool load_is_field_on(const scene *s, const scene_load *load, int body);
+/* Whether there is such a load. */
+bool scene_has_field_on(const scene *s, int body);
 /* LOAD_HEAT: the time (s) in which the full power gives what the load gives in the step: a power with a ramp grows from nothing. */
 double load_heating_time(const scene_load *load, const load_step *step);
 /* LOAD_PRESSURISE: the absolute mean pressure (Pa) that the fluid should have at the end of the step; *active tells

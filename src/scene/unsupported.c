@@ -5,6 +5,7 @@
 #include "scene/scene_reach.h"
 #include "scene/side_parts.h"
 #include "scene/solid_heat.h"
+#include "scene/state.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -301,6 +302,11 @@ static floe_status refuse_load(const scene *s, scene_coupling coupling, const sc
                         "%s: gas at rest takes the heat of all of it, and this power changes with place: take one that "
                         "changes with time alone, or 'solver: dynamic'",
                         coupling_name(coupling));
+    const bool solved = s->time.solver == SOLVER_STATIC || s->time.solver == SOLVER_AUTO;
+    if (coupling == COUPLING_ICE_MPM && load->kind == LOAD_BODY_FORCE && solved && !load_is_uniform(s, load))
+        return fail_key(s->ctx, KEY("loads", load->name, "body_force"),
+                        "ice-mpm: in static balance beside cells a body force is one acceleration everywhere: take "
+                        "time.solver dynamic, or leave formulas of place and the region out");
     if (load->kind != LOAD_BODY_FORCE || load->body < 0 || coupling == COUPLING_MPM) return FLOE_OK;
     if (s->material[s->body[load->body].material].kind != MATERIAL_FLUID) return FLOE_OK;
     return fail_key(s->ctx, KEY("loads", load->name, "body_force", "body"),

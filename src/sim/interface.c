@@ -9,6 +9,7 @@
 #include "scene/mass_source.h"
 #include "scene/scene_reach.h"
 #include "scene/side_parts.h"
+#include "scene/state.h"
 
 #include <limits.h>
 #include <math.h>
@@ -134,6 +135,13 @@ static floe_status needs_no_reaction(const scene *s, const mesh *m)
 static floe_status needs_no_driving(const scene *s, const mesh *m)
 {
     (void)m;
+    for (int l = 0; l < s->n_loads; ++l)
+        if (load_is_field_on(s, &s->load[l], -1))
+            return fail_key(
+                s->ctx, KEY("loads", s->load[l].name, "body_force"),
+                "fluids beside a membrane around gas, or a sharp interface, take no body force that changes "
+                "with place: take one acceleration everywhere, name a body on points, or "
+                "method.interface smeared");
     return !s->driving
                ? FLOE_OK
                : fail_key(s->ctx, KEY("verify", "sources"),

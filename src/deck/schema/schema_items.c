@@ -329,9 +329,11 @@ static const key_spec gravity_keys[] = {
 static const key_table gravity_table = TABLE(gravity_keys);
 
 static const key_spec body_force_keys[] = {
-    {"body", KEY_BODY, AT(scene_load, body), .required = true, .doc = "the body that it acts on"},
-    {"acceleration", KEY_VECTOR, "m/s2", AT(scene_load, vector), .varies = VARIES_BY_TIME, .required = true,
-     .doc = "force per mass"},
+    {"body", KEY_BODY, AT(scene_load, body), .otherwise = "everything", .doc = "the body that it acts on"},
+    {"region", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .otherwise = "everywhere",
+     .doc = "where it acts: a place in space, through which bodies and fluids may move"},
+    {"acceleration", KEY_VECTOR, "m/s2", AT(scene_load, vector), .varies = VARIES_BY_PLACE + VARIES_BY_TIME,
+     .required = true, .doc = "force per mass; in formulas x, y and z are where the material is now"},
 };
 static const key_table body_force_table = TABLE(body_force_keys);
 
@@ -343,19 +345,21 @@ static const variant load_list[] = {
     {"heat", LOAD_HEAT, &heat_table, "energy into a fluid at a given power"},
     {"traction", LOAD_TRACTION, &traction_table, "pressure, shear or pull on a surface of a body of material points"},
     {"gravity", GRAVITY, &gravity_table, "acceleration of everything"},
-    {"body_force", LOAD_BODY_FORCE, &body_force_table, "force per mass on one body"},
+    {"body_force", LOAD_BODY_FORCE, &body_force_table,
+     "force per mass on a body or on everything, in a region or everywhere"},
 };
 
 static void choose_load(void *field, int value)
 {
     scene_load *load = field;
     load->kind = value == GRAVITY ? LOAD_BODY_FORCE : (load_kind)value;
+    load->gravity = value == GRAVITY;
 }
 
 static int chosen_load(const void *field)
 {
     const scene_load *load = field;
-    return load->kind == LOAD_BODY_FORCE && load->body < 0 ? GRAVITY : (int)load->kind;
+    return load->gravity ? GRAVITY : (int)load->kind;
 }
 
 static const variants load_kinds = {"load", load_list, sizeof load_list / sizeof load_list[0], choose_load,

@@ -17,6 +17,7 @@
 #include "ice/state/ice_materials.h"
 #include "ice/state/ice_state.h"
 #include "ice/state/ice_tiles.h"
+#include "scene/state.h"
 
 #include <math.h>
 
@@ -27,9 +28,15 @@ bool ice_conducts(const ice *s)
     return false;
 }
 
+/* Whether forces that change with place act on fluids: those of an exact solution, and body forces. */
+static bool has_force_field(const ice *s)
+{
+    return s->scene->driving || scene_has_field_on(s->scene, -1);
+}
+
 bool ice_has_diffusion(const ice *s)
 {
-    return ice_is_viscous(s) || ice_conducts(s) || s->scene->driving;
+    return ice_is_viscous(s) || ice_conducts(s) || has_force_field(s);
 }
 
 bool ice_diffuses(const ice *s)
@@ -37,11 +44,11 @@ bool ice_diffuses(const ice *s)
     return !s->cut && ice_has_diffusion(s);
 }
 
-/* Whether viscosity, conduction, or the sources of an exact solution act on a material of the cells. */
+/* Whether viscosity, conduction, or forces that change with place act on a material of the cells. */
 static bool material_diffuses(const ice *s, const ice_material *m)
 {
     return !m->points &&
-           (m->shear_viscosity > 0.0 || m->bulk_viscosity > 0.0 || m->conductivity > 0.0 || s->scene->driving);
+           (m->shear_viscosity > 0.0 || m->bulk_viscosity > 0.0 || m->conductivity > 0.0 || has_force_field(s));
 }
 
 /* ---- kernels ---- */
@@ -143,13 +150,27 @@ static void each_block(const ice *s, const ice_region *g, int r, void (*visit)(c
     for (int id = 0; ice_next_view(s, g, &id, &v);) visit(s, &v, r);
 }
 
-/* Force per mass and heat per volume that the scene's exact solution needs in a cell, at its centre. */
+/* Adds a body force in a cell, at its centre, by the share of the cell that lies in its region. */
+static void add_field(const ice *s, const scene_load *load, const int cell[MESH_MAX_DIM], const double x[3], double t,
+                      double force[3])
+{
+    double vector[3];
+    load_vector(s->scene, load, x, t, vector);
+    const double share = load->region.model ? ice_region_share(s->mesh, &load->region, cell) : 1.0;
+    for (int a = 0; a < s->mesh->dim; ++a) force[a] += share * vector[a];
+}
+
+/* Force per mass of body forces and of the scene's exact solution, and the heat per volume that this needs, in a cell, at its centre. */
 static double source_at(const ice *s, const ice_view *v, int i, int j, int k, double t, double force[3])
 {
     const int cell[MESH_MAX_DIM] = {v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k};
-    double x[3] = {0.0, 0.0, 0.0};
+    double x[3] = {0.0, 0.0, 0.0}, heat = 0.0;
     for (int a = 0; a < v->dim; ++a) x[a] = mesh_centre(s->mesh, a, cell[a]);
-    return s->scene->driving(s->scene->initial_user, x, t, force);
+    force[0] = force[1] = force[2] = 0.0;
+    if (s->scene->driving) heat = s->scene->driving(s->scene->initial_user, x, t, force);
+    for (int l = 0; l < s->scene->n_loads; ++l)
+        if (load_is_field_on(s->scene, &s->scene->load[l], -1)) add_field(s, &s->scene->load[l], cell, x, t, force);
+    return heat;
 }
 
 /* At the start of the step, into F and H. */
@@ -217,7 +238,7 @@ floe_status ice_diffusion_rates_of(ice *s, const ice_region *g)
             ice_fill_ghosts(s, C_DIFFUSION_T, material, FILL_CURRENT, GHOST_TEMPERATURE);
         }
         each_block(s, g, r, rates_of);
-        if (s->scene->driving) each_block(s, g, r, add_source_rates);
+        if (has_force_field(s)) each_block(s, g, r, add_source_rates);
         ice_fill_ghosts(s, C_DIFFUSION, material, FILL_CURRENT, GHOST_EVEN);
     }
     return FLOE_OK;
@@ -372,7 +393,7 @@ void ice_diffuse(const ice *s, const ice_region *g)
         if (conducts) ice_fill_ghosts(s, C_DIFFUSION_T, material, FILL_CURRENT, GHOST_TEMPERATURE);
         each_block(s, g, r, apply_diffusion);
         each_block(s, g, r, enter_sides);
-        if (s->scene->driving) each_block(s, g, r, add_exact_sources);
+        if (has_force_field(s)) each_block(s, g, r, add_exact_sources);
     }
 }
 

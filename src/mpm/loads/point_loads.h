@@ -8,6 +8,8 @@
 /* Body forces now, into s->acceleration. */
 void set_body_forces(mpm *s);
 /* Whether the force of the scene's exact solution acts on a body's points. */
+bool exact_drives(const mpm *s, int body);
+/* Whether a force that changes with place does: that one, or a body force. */
 bool is_driven(const mpm *s, int body);
 /* A load as statics has it: one without a ramp grows until the run ends. */
 scene_load load_as_solved(const mpm *s, const scene_load *load);
