@@ -120,11 +120,11 @@ floe_status body_solid_state(const scene *s, int body, const double x[3], double
 {
     const scene_body *b = &s->body[body];
     for (int a = 0; a < 3; ++a) TRY(scene_number(s, &b->velocity[a], x, 0.0, &velocity[a]));
-    for (int c = 0; c < 6; ++c) stress[c] = 0.0;
+    for (int c = 0; c < 6; ++c) TRY(scene_number(s, &b->stress[c], x, 0.0, &stress[c]));
     if (motion_is_given(&b->motion)) (void)motion_velocity_at_start(&b->motion, b->velocity, x, velocity);
     if (!b->initial_from_exact) return FLOE_OK;
     for (int a = 0; a < 3; ++a) velocity[a] = initial_value(s, INITIAL_VELOCITY, a, x, velocity[a]);
-    for (int c = 0; c < 6; ++c) stress[c] = initial_value(s, INITIAL_STRESS, c, x, 0.0);
+    for (int c = 0; c < 6; ++c) stress[c] = initial_value(s, INITIAL_STRESS, c, x, stress[c]);
     return FLOE_OK;
 }
 

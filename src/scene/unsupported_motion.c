@@ -1,4 +1,5 @@
 /* What bodies with a motion of their own cannot be combined with. Each rule is a row. */
+#include "scene/formula.h"
 #include "scene/scene_reach.h"
 #include "scene/unsupported.h"
 
@@ -26,6 +27,14 @@ static bool is_membrane(const scene *s, int body)
 static bool has_exact_state(const scene *s, int body)
 {
     return s->body[body].initial_from_exact;
+}
+
+static bool has_first_stress(const scene *s, int body)
+{
+    bool any = false;
+    for (int c = 0; c < 6; ++c)
+        any = any || s->body[body].stress[c] != 0.0 || scene_formula_of(s, &s->body[body].stress[c]);
+    return any;
 }
 
 static bool has_two_velocities(const scene *s, int body)
@@ -98,6 +107,7 @@ static const struct {
     {is_membrane, "a membrane deforms: leave the motion out, or take a solid"},
     {is_solved_for, "static and implicit steps move bodies by forces alone: take time.solver dynamic, or supports"},
     {has_exact_state, "its state is that of its motion: leave 'state: exact' out"},
+    {has_first_stress, "its stress stays zero: leave 'stress' out"},
     {has_two_velocities, "its velocity is that of its motion: leave 'velocity' out"},
     {has_traction, "a traction acts on a body that deforms: leave the load out; a rigid body takes a body_force"},
     {burns, "a body that burns loses points: leave the motion out, or the reaction"},

@@ -202,8 +202,9 @@ static void spoil_unit(walk *w, const key_spec *key, const char *format)
 static const char *list_format(const walk *w, const key_spec *key)
 {
     const size_t n = key->type == KEY_NUMBERS ? key->size / sizeof(double) : w->in_space ? 3 : 2;
-    static const char *const format[] = {"", "[%s]", "[1, %s]", "[1, 1, %s]", "[1, 1, 1, %s]"};
-    assert_in_range(n, 1, 4);
+    static const char *const format[] = {
+        "", "[%s]", "[1, %s]", "[1, 1, %s]", "[1, 1, 1, %s]", "[1, 1, 1, 1, %s]", "[1, 1, 1, 1, 1, %s]"};
+    assert_in_range(n, 1, 6);
     return format[n];
 }
 

@@ -97,10 +97,23 @@ static floe_status check_temperature(reader *r, const scene_body *b, const scene
     return FLOE_OK;
 }
 
+/* Shear out of the plane of the scene turns nothing in it. */
+static floe_status check_stress(reader *r, const scene_body *b)
+{
+    const int dim = r->scene->mesh.dim;
+    for (int c = dim == 1 ? 3 : 4; dim < 3 && c < 6; c++)
+        if (b->stress[c] != 0.0 || scene_formula_of(r->scene, &b->stress[c]))
+            return bad_at(r, KEY("bodies", b->name, "stress"),
+                          dim == 1 ? "xx, yy, zz, 0, 0, 0" : "xx, yy, zz, xy, 0, 0", NULL,
+                          "body '%s' has no shear out of a scene of %d dimension%s", b->name, dim, dim == 1 ? "" : "s");
+    return FLOE_OK;
+}
+
 /* What the cells of a coupled run need to know of a solid; beside a membrane around gas they see none. */
 static floe_status check_solid_body(reader *r, const scene_body *b, const scene_material *m)
 {
     TRY(check_temperature(r, b, m));
+    if (is_clean(r->root, KEY("domain"))) TRY(check_stress(r, b));
     if (!scene_runs_as(r->scene, COUPLING_ICE_MPM) || !is_clean(r->root, KEY("materials", m->name))) return FLOE_OK;
     if (scene_enclosing_body(r->scene) >= 0) return FLOE_OK;
     if (isnan(m->specific_heat)) {

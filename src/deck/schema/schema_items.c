@@ -137,6 +137,12 @@ static bool body_is_solid(const scene *s, const void *body)
     return !body_is_fluid(s, body) || ((const scene_body *)body)->material < 0;
 }
 
+static bool body_has_stress(const scene *s, const void *body)
+{
+    return body_is_solid(s, body) && body_has_shape(s, body);
+}
+
+static const char stressed_bodies[] = "bodies made of a solid that is no membrane";
 static const char solid_bodies[] = "bodies made of a solid";
 static const char fluid_bodies[] = "bodies made of a fluid";
 static const char shaped_bodies[] = "bodies that are no membranes: a membrane lies along its curve";
@@ -169,6 +175,12 @@ static const key_spec body_keys[] = {
          "its times and constant beyond them; the spin is about a point that moves with the velocity, in space about "
          "an "
          "axis that stays; a rigid body starts with its `velocity` and that spin about its centre of mass"},
+    {"stress", KEY_NUMBERS, "Pa", AT(scene_body, stress), .varies = VARIES_BY_PLACE, .applies = body_has_stress,
+     .belongs = stressed_bodies, .otherwise = "0",
+     .doc = "at the start, beside reference_pressure, tension positive: xx, yy, zz, xy, yz, zx, of which the plane has "
+            "no yz "
+            "and zx; about an axis rr, zz, that around it, rz. It is in balance only if loads and what holds the body "
+            "make it so"},
     {"pressure", KEY_NUMBER, "Pa", AT(scene_body, pressure), .varies = VARIES_BY_PLACE, .applies = body_is_fluid,
      .belongs = fluid_bodies,
      .doc = "absolute, at the start, to which gravity adds the weight above unless it is a formula; a fluid "

@@ -18,6 +18,17 @@
 
 #include <math.h>
 
+/* The key that gives a body its first stress, and who says so. */
+static const char *stress_key(const scene_body *b)
+{
+    return b->initial_from_exact ? "state" : "stress";
+}
+
+static const char *stress_source(const scene_body *b)
+{
+    return b->initial_from_exact ? "exact: the solution starts from" : "it starts from";
+}
+
 /* With a law that depends on F, the strain determines the initial stress of the point. */
 static floe_status set_strain(mpm *s, int blk, int body, size_t k, const double stress[6])
 {
@@ -25,15 +36,19 @@ static floe_status set_strain(mpm *s, int blk, int body, size_t k, const double 
     const fields *f = s->domain->fields[blk];
     const mpm_body *b = &s->body[body];
     double F[9];
+    const scene_body *given = &s->scene->body[b->scene_body];
     if (!strain_from_stress(b->law, b->law_par, stress, F))
-        return fail_key(s->ctx, KEY("bodies", s->scene->body[b->scene_body].name, "state"),
-                        "exact: the solution starts from stresses up to %g Pa, and law '%s' has no strain with them; "
+        return fail_key(s->ctx, KEY("bodies", given->name, stress_key(given)),
+                        "%s stresses up to %g Pa, and law '%s' has no strain with them; "
                         "give stiffer moduli, or a "
                         "smaller load",
-                        fmax(fmax(fabs(stress[0]), fabs(stress[1])), fabs(stress[2])), b->law->name);
+                        stress_source(given), fmax(fmax(fabs(stress[0]), fabs(stress[1])), fabs(stress[2])),
+                        b->law->name);
     for (int c = 0; c < field_component_count(FIELD_DEFORM, s->mesh->dim); ++c)
         field_get(f, P_F, body, c)[k] = F[slot[s->mesh->dim - 1][c]];
     field_get(f, P_J, body, 0)[k] = tensor_det(F);
+    if (!given->initial_from_exact)
+        field_get(f, P_VOLUME0, body, 0)[k] /= tensor_det(F); /* the shape is as it is now */
     return FLOE_OK;
 }
 
@@ -41,12 +56,12 @@ static floe_status set_strain(mpm *s, int blk, int body, size_t k, const double 
 static floe_status refuse_first_pressure(const mpm *s, int body, const double stress[6])
 {
     const mpm_body *b = &s->body[body];
+    const scene_body *given = &s->scene->body[b->scene_body];
     if (stress[0] + stress[1] + stress[2] == 0.0) return FLOE_OK;
-    return fail_key(
-        s->ctx, KEY("bodies", s->scene->body[b->scene_body].name, "state"),
-        "exact: the solution starts from a pressure, and the Mie-Grueneisen pressure of law '%s' is that of "
-        "its volume and energy: leave shock_slope and grueneisen out",
-        b->law->name);
+    return fail_key(s->ctx, KEY("bodies", given->name, stress_key(given)),
+                    "%s a pressure, and the Mie-Grueneisen pressure of law '%s' is that of "
+                    "its volume and energy: leave shock_slope and grueneisen out",
+                    stress_source(given), b->law->name);
 }
 
 /* Unless the deck says at which temperature it is without stress, a solid that expands is so at the start. */
@@ -83,12 +98,13 @@ static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x
         if (b->depends_on & SOLID_BY_ENERGY) TRY(refuse_first_pressure(s, body, stress));
         TRY(set_temperature(s, blk, body, k, x));
     }
-    field_get(f, P_MASS, body, 0)[k] = density * volume;
+    const double mass = density * (b->fluid ? volume : field_get(f, P_VOLUME0, body, 0)[k]);
+    field_get(f, P_MASS, body, 0)[k] = mass;
     for (int a = 0; a < s->mesh->dim; ++a) field_get(f, P_VEL, body, a)[k] = velocity[a];
     for (int c = 0; c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
         field_get(f, P_STRESS, body, c)[k] = stress[c];
-    if (body < s->n_deforming) s->reference_mass = fmax(s->reference_mass, density * volume);
-    s->group_mass[b->group] = fmax(s->group_mass[b->group], density * volume);
+    if (body < s->n_deforming) s->reference_mass = fmax(s->reference_mass, mass);
+    s->group_mass[b->group] = fmax(s->group_mass[b->group], mass);
     return FLOE_OK;
 }
 
