@@ -105,16 +105,28 @@ static size_t unit_word(const char *text)
     return n;
 }
 
+/* Length of the power of a unit: "^2", "^-1". It is of the unit, not of the number before it, as where a number stands alone: 4 m/s^2. */
+static size_t unit_power(const char *text)
+{
+    size_t n = text[0] == '^' ? 1 : 0;
+    if (n == 1 && text[n] == '-') n++;
+    if (n == 0 || !isdigit((unsigned char)text[n])) return 0;
+    while (isdigit((unsigned char)text[n])) n++;
+    return n;
+}
+
 /* Length of the unit that comes next: words with slashes between, and no blanks; a name of the formula behind a slash is
  * what the number is divided by. */
 static size_t unit_length(const expression_words *w)
 {
     const bool inverse = strncmp(w->at, "1/", 2) == 0; /* "5 1/s" */
     size_t n = inverse ? 1 : unit_word(w->at);
+    if (n > 0) n += unit_power(w->at + n);
     while (n > 0 && w->at[n] == '/') {
         const size_t next = unit_word(w->at + n + 1);
         if (next == 0 || words_known(w->scope, w->at + n + 1, next)) break;
         n += 1 + next;
+        n += unit_power(w->at + n);
     }
     return inverse && n == 1 ? 0 : n;
 }

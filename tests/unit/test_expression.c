@@ -25,6 +25,16 @@ static bool unit_of_test(const char *unit, double given, double *value, expressi
     } else if (strcmp(unit, "1/s") == 0) {
         *value = given;
         dimension->power[2] = -1;
+    } else if (strcmp(unit, "1/s^2") == 0) {
+        *value = given;
+        dimension->power[2] = -2;
+    } else if (strcmp(unit, "cm/s^2") == 0) {
+        *value = 0.01 * given;
+        dimension->power[0] = 1;
+        dimension->power[2] = -2;
+    } else if (strcmp(unit, "cm^2") == 0) {
+        *value = 1e-4 * given;
+        dimension->power[0] = 2;
     } else if (strcmp(unit, "cm/s") == 0) {
         *value = 0.01 * given;
         dimension->power[0] = 1;
@@ -71,6 +81,10 @@ static void test_values_are_those_of_c(void **state)
         {"5 cm/s*t", 0.05 * t},
         {"5 cm/t", 0.05 / t},
         {"5 1/s * t", 5.0 * t},
+        {"4 cm/s^2 * t", 0.04 * t},
+        {"4 1/s^2*t", 4.0 * t},
+        {"3 cm^2 / x", 3e-4 / x},
+        {"(3 cm)^2 / x", 9e-4 / x},
         {"p0 - 1 bar", 1e5},
         {"n * x / y", 3.0 * x / y},
         {"sin(x) + cos(y) * tan(t)", sin(x) + cos(y) * tan(t)},
@@ -170,6 +184,7 @@ static void test_dimensions(void **state)
         {"p0 * (x / 1 cm)^2", true, -1, 1, -2},
         {"sqrt(p0 / 1 bar) * x", true, 1, 0, 0},
         {"1 cm/s * t + x", true, 1, 0, 0},
+        {"4 cm/s^2 * t", true, 1, 0, -1},
         {"2 * p0", false, 0, 0, 0},
         {"p0 + 3", true, -1, 1, -2},
         {"x / t", false, 0, 0, 0},
