@@ -224,6 +224,67 @@ static void test_dashpot(void **unused)
     trial_end(&t);
 }
 
+/* How far a rigid block of 160 kg sinks on two springs to (0.4, 1.9) and (1.6, 1.9) from its upper corners, and one of half their stiffness that holds it
+ * up from below, or none. */
+static double sag_of_block(double below)
+{
+    const double rest = hypot(0.4, 0.7);
+    double lo = 0.0, hi = 0.5;
+    for (int k = 0; k < 60; ++k) {
+        const double s = 0.5 * (lo + hi), length = hypot(0.4, 0.7 + s);
+        if (4e4 * (length - rest) * (0.7 + s) / length + below * s > 1600.0)
+            hi = s;
+        else
+            lo = s;
+    }
+    return lo;
+}
+
+/* The same in static balance, of a block that is stiff; as a tether the lower spring is slack. Returns the relative error. */
+static double balance_error(int cells, bool slack, int springs, floe_status *status)
+{
+    const double size[3] = {2.0, 2.0, 0.0}, from[3][2] = {{0.4, 1.9}, {1.6, 1.9}, {1.0, 0.2}},
+                 to[3][2] = {{0.8, 1.2}, {1.2, 1.2}, {1.0, 0.8}};
+    trial t;
+    mpm_totals before, after;
+    trial_begin(&t, 2, size, 0.4 / cells);
+    const int steel = add_solid(&t, "linear_elastic", 1e8, 5e7, 1000.0);
+    add_body(&t, steel, make_box(&t, (const double[]){0.8, 0.8, 0.0}, (const double[]){1.2, 1.2, 0.0}), 2);
+    for (int k = 0; k < springs; ++k) {
+        scene_spring *spring = add_spring(&t, k < 2 ? 2e4 : 1e4, NAN);
+        spring->one_way = slack && k == 2;
+        spring->end[0] = (scene_spring_end){.body = -1, .place = {from[k][0], from[k][1]}};
+        spring->end[1] = (scene_spring_end){.body = 0, .place = {to[k][0], to[k][1]}};
+    }
+    add_load(&t, LOAD_BODY_FORCE, -1)->vector[1] = -10.0;
+    t.scene->time.solver = SOLVER_STATIC;
+    t.scene->time.end = 1.0;
+    trial_start(&t);
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &before));
+    *status = sim_step(t.sim, 1.0);
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &after));
+    const double sank = (before.moment[0][1] - after.moment[0][1]) / after.mass[0],
+                 error = sank / sag_of_block(slack ? 0.0 : 1e4) - 1.0,
+                 drift = *status == FLOE_OK ? ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) : 0.0;
+    print_message("balance, %d cells, %d springs%s: sinks by %.5f m, %.2g off; energy %.1e\n", cells, springs,
+                  slack ? ", one slack" : "", sank, error, drift);
+    check_true(drift < 1e-4);
+    trial_end(&t);
+    return fabs(error);
+}
+
+/* What the block itself gives way by: its weight over its modulus and, where springs push it, more on a finer mesh. On one spring it may turn. */
+static void test_balance(void **unused)
+{
+    (void)unused;
+    floe_status status;
+    check_true(balance_error(4, false, 3, &status) < 8.8e-4);
+    check_true(balance_error(8, false, 3, &status) < 1e-3);
+    check_true(balance_error(4, true, 3, &status) < 1.1e-3);
+    (void)balance_error(4, false, 1, &status);
+    assert_int_equal(status, FLOE_DIVERGED);
+}
+
 static void test_refusals(void **unused)
 {
     (void)unused;
@@ -252,8 +313,9 @@ static void test_refusals(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_masses), cmocka_unit_test(test_tether),  cmocka_unit_test(test_support),
-        cmocka_unit_test(test_places), cmocka_unit_test(test_dashpot), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_masses),   cmocka_unit_test(test_tether),  cmocka_unit_test(test_support),
+        cmocka_unit_test(test_places),   cmocka_unit_test(test_dashpot), cmocka_unit_test(test_balance),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

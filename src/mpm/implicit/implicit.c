@@ -61,6 +61,7 @@ static void assemble_all(mpm *s, node_matrix *m, const double *tangent)
     implicit_assemble(s, m, tangent);
     implicit_assemble_edges(s, m);
     implicit_assemble_surfaces(s, m);
+    implicit_assemble_springs(s, m);
     if (s->implicit->mass) motion_stiffen(s, m);
 }
 
@@ -121,6 +122,7 @@ static void multiply_tangent(void *user, double *x, double *y)
     const mpm *s = user;
     multigrid_apply(s->implicit->solver, x, y);
     enclosed_gases_stiffness(s->implicit, x, y);
+    implicit_springs_stiffness(s, x, y);
 }
 
 /* Scale of the forces, now or at the start, against which the residual is measured. */
@@ -215,6 +217,7 @@ static void enter_constraint_work(mpm *s)
     double work = 0.0;
     for (size_t k = 0; k < w->components; ++k) work -= 0.5 * (w->internal_first[k] + w->internal[k]) * w->u[k];
     work -= enclosed_gases_enter(s);
+    work += implicit_springs_gain(s, w->u); /* their energy is strain energy too */
     implicit_enter_edges(s);
     implicit_contact_enter(s);
     if (w->mass)
@@ -255,6 +258,7 @@ static floe_status prepare_system(mpm *s)
     TRY(implicit_find_edges(s));
     implicit_constrain(s);
     implicit_find_reached(s);
+    TRY(implicit_springs_find(s));
     TRY(implicit_contact_find(s));
     implicit_body_force(s, s->acceleration, true, w->external);
     TRY(enclosed_gases_smear(s));

@@ -73,6 +73,7 @@ struct mpm_implicit {
     struct curve_rest *curve;         /* owned; NULL: solids on the mesh */
     struct implicit_contact *contact; /* owned; NULL: no bodies in contact */
     struct implicit_volume *volume;   /* owned; NULL: no body is all but incompressible */
+    struct implicit_springs *springs; /* owned; NULL: there are none (implicit_loads.c) */
     struct implicit_walls *walls;     /* owned; NULL: steps are solved for (implicit_walls.h) */
     multigrid *solver;                /* owned */
     cg *krylov;                       /* owned */
@@ -215,6 +216,18 @@ void motion_enter(mpm *s);
 floe_status stiff_create(mpm *s);
 void stiff_free(mpm *s);
 
+/* Springs (implicit_loads.c): storage; the nodes of their ends in an increment. Errors: FLOE_NO_MEMORY. */
+floe_status implicit_springs_create(mpm *s);
+void implicit_springs_free(mpm *s);
+floe_status implicit_springs_find(mpm *s);
+/* Adds their forces (N) at the displacement u (m). */
+void implicit_springs_force(mpm *s, const double *u, double *external);
+/* The energy (J) that they have gained by it. */
+double implicit_springs_gain(mpm *s, const double *u);
+/* Adds the part of their stiffness that couples the nodes of one point to the matrix, enlarged. */
+void implicit_assemble_springs(const mpm *s, node_matrix *m);
+/* y += the rest of their stiffness times x. */
+void implicit_springs_stiffness(const mpm *s, const double *x, double *y);
 /* Enclosed gases (implicit_enclosed_gas.c): one for each fluid body that solids enclose, found once. Errors:
  * FLOE_NO_MEMORY. */
 floe_status enclosed_gases_find(mpm *s);

@@ -28,6 +28,16 @@ bool mpm_body_is_enclosed(const mpm *s, int body)
     return surface_enclosed(s, body) > 1.0 - 1e-9;
 }
 
+static const char *obstacle_of_springs(const mpm *s, time_solver solver)
+{
+    if (s->scene->n_springs == 0) return NULL;
+    if (solver == SOLVER_IMPLICIT) return "springs are in static and in explicit steps";
+    if (s->cells != CELLS_NONE) return "springs beside cells are in explicit steps alone";
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].mean_strain) return "springs on nearly incompressible bodies are in explicit steps alone";
+    return NULL;
+}
+
 const char *mpm_implicit_obstacle(const mpm *s, time_solver solver)
 {
     if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
@@ -37,7 +47,7 @@ const char *mpm_implicit_obstacle(const mpm *s, time_solver solver)
     if (s->basis->fact.shaped)
         return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
     if (s->cells != CELLS_NONE && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
-    if (s->scene->n_springs > 0) return "springs are stepped in time";
+    if (obstacle_of_springs(s, solver)) return obstacle_of_springs(s, solver);
     if (s->motions) return "a body has a motion of its own";
     if (s->curve) return solver == SOLVER_STATIC ? curve_rest_obstacle(s) : "membranes have no stiffness across";
     for (int b = 0; b < s->n_bodies; ++b)
@@ -92,6 +102,7 @@ static floe_status make_solver(mpm *s)
     TRY(enclosed_gases_find(s));
     TRY(implicit_contact_create(s));
     TRY(implicit_volume_create(s));
+    TRY(implicit_springs_create(s));
     double **array[] = {&w->gas_force, &w->u,     &w->change,     &w->external,        &w->internal_first, &w->internal,
                         &w->residual,  &w->trial, &w->prescribed, &w->constraint_step, &w->steady};
     for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
@@ -218,6 +229,7 @@ void implicit_destroy(mpm *s)
     enclosed_gases_free(s);
     implicit_contact_free(s);
     implicit_volume_free(s);
+    implicit_springs_free(s);
     stiff_free(s);
     multigrid_destroy(&w->solver);
     memory_free(s->ctx, &w->steady);

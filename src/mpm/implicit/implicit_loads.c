@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "mpm/implicit/implicit.h"
 #include "mpm/loads/point_loads.h"
+#include "mpm/loads/spring.h"
 #include "mpm/surface/surface_facets.h"
 #include "mpm/surface/surface_markers.h"
 #include "mpm/surface/surfaces.h"
@@ -10,6 +11,7 @@
 #include "mpm/transfer/scatter.h"
 #include "scene/state.h"
 
+#include <math.h>
 #include <string.h>
 
 floe_status mpm_implicit_masses(mpm *s)
@@ -80,9 +82,10 @@ static bool any_follows(const mpm *s)
 void implicit_follow_surfaces(mpm *s, const double *u)
 {
     struct mpm_implicit *w = s->implicit;
-    if (!any_follows(s)) return;
+    if (!any_follows(s) && !w->springs) return;
     memcpy(w->external, w->steady, w->components * sizeof *w->external);
     implicit_load_surfaces(s, u, w->external);
+    implicit_springs_force(s, u, w->external);
     implicit_drop_unreached(w, w->external);
     for (int r = 0; r < w->n_gases; ++r) implicit_drop_unreached(w, w->gas_set[r].unit_force);
 }
@@ -227,4 +230,166 @@ void implicit_assemble_surfaces(const mpm *s, node_matrix *m)
         const pressed_facet pressed = look_at_facet(s, f);
         if (pressed.pressure != 0.0) assemble_facet(s, &pressed, m);
     }
+}
+
+/* ---- springs in static balance ---- */
+
+/* A point of an end: its nodes from `first` on, and how much larger its part of the matrix is. */
+typedef struct spring_reach {
+    double bound;
+    int layer, n;
+    weighted_node node[IMPLICIT_NODES];
+} spring_reach;
+
+/* One spring in an increment. */
+typedef struct spring_nodes {
+    int n;
+    spring_reach *reach; /* owned */
+    spring_pull pull;    /* at the displacement that was last evaluated */
+} spring_nodes;
+
+struct implicit_springs {
+    spring_nodes spring[SCENE_MAX_SPRINGS];
+};
+
+floe_status implicit_springs_create(mpm *s)
+{
+    if (s->scene->n_springs == 0) return FLOE_OK;
+    return memory_new(s->ctx, &s->implicit->springs, 1, sizeof *s->implicit->springs);
+}
+
+void implicit_springs_free(mpm *s)
+{
+    for (int n = 0; s->implicit->springs && n < SCENE_MAX_SPRINGS; ++n)
+        memory_free(s->ctx, &s->implicit->springs->spring[n].reach);
+    memory_free(s->ctx, &s->implicit->springs);
+}
+
+/* The nodes of a point, those that no point reaches left out. */
+static void find_reach(const mpm *s, const spring_share *share, spring_reach *out)
+{
+    const struct mpm_implicit *w = s->implicit;
+    const point_weights place = implicit_weights_at(s, share->x);
+    out->layer = implicit_layer(s, s->body[share->body].group);
+    out->n = implicit_nodes(s, &place, out->node);
+    for (int i = 0; i < out->n; ++i)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const bool reached = w->reached[implicit_index(w, out->layer, c, out->node[i].at)];
+            out->node[i].S[c] = reached ? share->weight * out->node[i].S[c] : 0.0;
+        }
+}
+
+floe_status implicit_springs_find(mpm *s)
+{
+    struct implicit_springs *all = s->implicit->springs;
+    for (int n = 0; all && n < s->scene->n_springs; ++n) {
+        spring_nodes *spring = &all->spring[n];
+        double sum = 0.0;
+        spring->n = spring_count(s, n);
+        TRY(memory_resize(s->ctx, &spring->reach, (size_t)spring->n, sizeof *spring->reach));
+        for (int k = 0; k < spring->n; ++k) sum += fabs(spring_share_of(s, n, k).weight);
+        for (int k = 0; k < spring->n; ++k) {
+            const spring_share share = spring_share_of(s, n, k);
+            find_reach(s, &share, &spring->reach[k]);
+            spring->reach[k].bound = sum / fabs(share.weight); /* (sum w x)^2 <= (sum |w|) (sum |w| x^2) */
+        }
+    }
+    return FLOE_OK;
+}
+
+/* Displacement of the point, times its weight. */
+static void moved_by_point(const mpm *s, const spring_reach *r, const double *u, double out[3])
+{
+    for (int i = 0; i < r->n; ++i)
+        for (int c = 0; c < s->mesh->dim; ++c)
+            out[c] += r->node[i].S[c] * u[implicit_index(s->implicit, r->layer, c, r->node[i].at)];
+}
+
+static void moved_by(const mpm *s, const spring_nodes *spring, const double *u, double out[3])
+{
+    out[0] = out[1] = out[2] = 0.0;
+    for (int k = 0; k < spring->n; ++k) moved_by_point(s, &spring->reach[k], u, out);
+}
+
+static void push_point(const mpm *s, const spring_reach *r, const double force[3], bool free_alone, double *out)
+{
+    const struct mpm_implicit *w = s->implicit;
+    for (int i = 0; i < r->n; ++i)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const size_t at = implicit_index(w, r->layer, c, r->node[i].at);
+            if (!free_alone || !w->constrained[at]) out[at] += r->node[i].S[c] * force[c];
+        }
+}
+
+void implicit_springs_force(mpm *s, const double *u, double *external)
+{
+    struct implicit_springs *all = s->implicit->springs;
+    for (int n = 0; all && n < s->scene->n_springs; ++n) {
+        spring_nodes *spring = &all->spring[n];
+        double moved[3];
+        moved_by(s, spring, u, moved);
+        spring_pull_at(s, n, moved, &spring->pull);
+        for (int k = 0; k < spring->n; ++k) push_point(s, &spring->reach[k], spring->pull.force, false, external);
+    }
+}
+
+double implicit_springs_gain(mpm *s, const double *u)
+{
+    struct implicit_springs *all = s->implicit->springs;
+    double sum = 0.0;
+    for (int n = 0; all && n < s->scene->n_springs; ++n) {
+        const double still[3] = {0.0, 0.0, 0.0};
+        double moved[3];
+        spring_pull before, after;
+        moved_by(s, &all->spring[n], u, moved);
+        spring_pull_at(s, n, still, &before);
+        spring_pull_at(s, n, moved, &after);
+        sum += after.energy - before.energy;
+    }
+    return sum;
+}
+
+static void stiffness_times(const spring_pull *pull, const double moved[3], double factor, double force[3])
+{
+    for (int a = 0; a < 3; ++a)
+        force[a] = factor * (pull->stiffness[3 * a] * moved[0] + pull->stiffness[3 * a + 1] * moved[1] +
+                             pull->stiffness[3 * a + 2] * moved[2]);
+}
+
+void implicit_springs_stiffness(const mpm *s, const double *x, double *y)
+{
+    const struct implicit_springs *all = s->implicit->springs;
+    for (int n = 0; all && n < s->scene->n_springs; ++n) {
+        const spring_nodes *spring = &all->spring[n];
+        double moved[3], force[3];
+        moved_by(s, spring, x, moved);
+        for (int k = 0; k < spring->n; ++k) {
+            const spring_reach *r = &spring->reach[k];
+            double own[3] = {0.0, 0.0, 0.0}, counted[3];
+            moved_by_point(s, r, x, own);
+            stiffness_times(&spring->pull, own, r->bound, counted);
+            stiffness_times(&spring->pull, moved, 1.0, force);
+            for (int a = 0; a < 3; ++a) force[a] -= counted[a]; /* the matrix has that */
+            push_point(s, r, force, true, y);
+        }
+    }
+}
+
+static void assemble_point(const mpm *s, const spring_reach *r, const spring_pull *pull, node_matrix *m)
+{
+    const int dim = s->mesh->dim, base = r->layer * dim;
+    for (int i = 0; i < r->n; ++i)
+        for (int j = 0; j < r->n; ++j)
+            for (int c = 0; c < dim; ++c)
+                for (int d = 0; d < dim; ++d) {
+                    const double value = r->bound * pull->stiffness[3 * c + d] * r->node[i].S[c] * r->node[j].S[d];
+                    if (value != 0.0) add_entry(m, &r->node[i], &r->node[j], base + c, base + d, value);
+                }
+}
+
+void implicit_assemble_springs(const mpm *s, node_matrix *m)
+{
+    const struct implicit_springs *all = s->implicit->springs;
+    for (int n = 0; all && n < s->scene->n_springs; ++n)
+        for (int k = 0; k < all->spring[n].n; ++k) assemble_point(s, &all->spring[n].reach[k], &all->spring[n].pull, m);
 }

@@ -9,6 +9,7 @@
 #include "scene/state.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A spring as it is now. */
 typedef struct spring_now {
@@ -146,6 +147,43 @@ void enter_dashpots(mpm *s)
             for (int a = 0; a < 3; ++a) way += (e == 0 ? -1.0 : 1.0) * (last[a] - first[a]) * now.unit[a];
         }
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -state->pull * way);
+    }
+}
+
+int spring_count(const mpm *s, int n)
+{
+    return s->springs[n].end[0].n + s->springs[n].end[1].n;
+}
+
+spring_share spring_share_of(const mpm *s, int n, int k)
+{
+    const struct spring_state *state = &s->springs[n];
+    const int e = k < state->end[0].n ? 0 : 1;
+    const spring_end *end = &state->end[e];
+    const spring_point *p = &end->point[k - (e == 0 ? 0 : state->end[0].n)];
+    spring_share out = {.body = end->body, .weight = e == 0 ? -p->weight : p->weight};
+    for (int a = 0; a < s->mesh->dim; ++a)
+        out.x[a] = field_get(s->domain->fields[p->block], P_POS, end->body, a)[p->index];
+    return out;
+}
+
+void spring_pull_at(const mpm *s, int n, const double moved[3], spring_pull *out)
+{
+    const scene_spring *spring = &s->scene->spring[n];
+    const double k = stiffness_of(s, spring);
+    spring_now now;
+    double line[3];
+    memset(out, 0, sizeof *out);
+    if (!look_at_spring(s, n, false, &now)) return;
+    for (int a = 0; a < 3; ++a) line[a] = now.x[1][a] - now.x[0][a] + moved[a];
+    const double length = vec_norm(line), stretch = length - s->springs[n].rest_length;
+    if (!(length > 0.0) || (spring->one_way && stretch < 0.0)) return;
+    const double across = fmax(k * stretch / length, 0.0);
+    out->energy = 0.5 * k * stretch * stretch;
+    for (int a = 0; a < 3; ++a) {
+        out->force[a] = -k * stretch * line[a] / length;
+        for (int b = 0; b < 3; ++b)
+            out->stiffness[3 * a + b] = (k - across) * line[a] * line[b] / (length * length) + (a == b ? across : 0.0);
     }
 }
 

@@ -111,8 +111,8 @@ void scatter_loads(mpm *s, int group)
     if (!mpm_is_solved(s)) {        /* else they follow the displacement that is solved for */
         scatter_surfaces(s, group); /* they look at the masses */
         scatter_markers(s, group, s->surfaces->markers.force);
+        scatter_springs(s, group);
     }
-    scatter_springs(s, group);
     scatter_membrane_force(s, group);
     scatter_enclosed_pressure(s, group);
     fold_forces(s, group);
