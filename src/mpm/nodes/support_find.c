@@ -23,11 +23,11 @@ static void list_regions(mpm *s)
     const scene *sc = s->scene;
     struct mpm_supports *p = s->supports;
     for (int k = 0; k < sc->n_supports; ++k)
-        p->region[p->n_regions++] = (held_region){&sc->support[k].region, sc->support[k].velocity, -1};
+        p->region[p->n_regions++] = (support_region){&sc->support[k].region, sc->support[k].velocity, -1};
     for (int b = s->n_deforming; b < s->n_bodies && !sc->contact.enabled; ++b) {
         const scene_body *body = &sc->body[s->body[b].scene_body];
         if (body->motion.kind == MOTION_FIXED && body->shape.model)
-            p->region[p->n_regions++] = (held_region){&body->shape, at_rest, b};
+            p->region[p->n_regions++] = (support_region){&body->shape, at_rest, b};
     }
 }
 
@@ -301,7 +301,7 @@ static floe_status look_at_node(mpm *s, int support, const int node[MESH_MAX_DIM
 static floe_status find_nodes(mpm *s, int support)
 {
     const mesh *m = s->mesh;
-    const held_region *of = &s->supports->region[support];
+    const support_region *of = &s->supports->region[support];
     int begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};
     double lo[3], hi[3];
     const bool leads = some_body_is_led(s);

@@ -20,18 +20,18 @@ typedef struct support_node {
 } support_node;
 
 /* A region that holds: of a support of the scene, or a fixed body to which others stick from the start. */
-typedef struct held_region {
+typedef struct support_region {
     const shape *region;    /* at the start; not owned */
     const double *velocity; /* m/s; not owned */
     int body;               /* of ours, that is fixed; -1: a support of the scene */
-} held_region;
+} support_region;
 
 enum { SUPPORT_REGIONS = SCENE_MAX_SUPPORTS + SCENE_MAX_BODIES };
 
 struct mpm_supports {
     support_node *node; /* owned */
     size_t n, reserved;
-    held_region region[SUPPORT_REGIONS]; /* those of the scene first */
+    support_region region[SUPPORT_REGIONS]; /* those of the scene first */
     int n_regions;
     long long *clear; /* owned: numbers of nodes that are clear of fixed bodies, sorted (support_beyond.h) */
     size_t n_clear;
