@@ -127,8 +127,23 @@ static bool some_solid_has(const mpm *s, const double x[MESH_MAX_DIM])
     return false;
 }
 
-/* Whether some solid is at x, seen where it was at the start, or at most two `steps` (cells) beside the line along an axis. */
-static bool solid_is_near(const mpm *s, int support, int axis, double steps, const double x[MESH_MAX_DIM])
+/* Whether some solid is at x, or where the line from there along an axis leaves the region, if that is near: what sticks to a round body does not reach into it. */
+static bool solid_is_beyond(const mpm *s, int support, int axis, double way, const double x[MESH_MAX_DIM])
+{
+    static const double part = 0.25;
+    static const int parts = 6;
+    double at[MESH_MAX_DIM];
+    memcpy(at, x, sizeof at);
+    if (some_solid_has(s, at)) return true;
+    for (int n = 0; n < parts && shape_inside(s->supports->region[support].region, s->mesh->dim, at); ++n) {
+        at[axis] += way * part * s->mesh->h[axis];
+        if (some_solid_has(s, at)) return true;
+    }
+    return false;
+}
+
+/* Whether some solid is at x, seen where it was at the start, or at most two `steps` (cells) beside the line along an axis, `way` out of the region. */
+static bool solid_is_near(const mpm *s, int support, int axis, double way, double steps, const double x[MESH_MAX_DIM])
 {
     double start[MESH_MAX_DIM];
     place_at_start(s, support, x, start);
@@ -140,7 +155,7 @@ static bool solid_is_near(const mpm *s, int support, int axis, double steps, con
             memcpy(at, start, sizeof at);
             at[first] += j * steps * s->mesh->h[first];
             at[second] += layers ? k * steps * s->mesh->h[second] : 0.0;
-            if (some_solid_has(s, at)) return true;
+            if (solid_is_beyond(s, support, axis, way, at)) return true;
         }
     return false;
 }
@@ -167,7 +182,8 @@ static double surface_between(const mpm *s, int support, int axis, const double 
     }
     const double share = 0.5 * (lo + hi);
     x[axis] = inside[axis] + (share + MPM_SUPPORT_BESIDE) * (outside[axis] - inside[axis]);
-    return solid_is_near(s, support, axis, MPM_SUPPORT_REACHED, x) ? share : -1.0;
+    const double way = outside[axis] > inside[axis] ? 1.0 : -1.0;
+    return solid_is_near(s, support, axis, way, MPM_SUPPORT_REACHED, x) ? share : -1.0;
 }
 
 /* Distance (cells) of a node outside from a region along an axis, less than one; negative: there is none. */
@@ -204,7 +220,7 @@ static bool lead_by(const mpm *s, int support, const int node[MESH_MAX_DIM], int
 {
     double x[MESH_MAX_DIM];
     if (!step_from(s, node, axis, steps, out->master, x) || region_with(s, s->supports->n_regions, x) >= 0 ||
-        is_close(s, out->master) || !solid_is_near(s, support, axis, MPM_SUPPORT_BEARING, x))
+        is_close(s, out->master) || !solid_is_near(s, support, axis, steps > 0 ? 1.0 : -1.0, MPM_SUPPORT_BEARING, x))
         return false;
     out->distance = fabs(distance);
     out->share = distance / clear;
