@@ -285,6 +285,95 @@ static void test_balance(void **unused)
     assert_int_equal(status, FLOE_DIVERGED);
 }
 
+/* Positions of the points of the first body, by their ids. */
+enum { MOST_POINTS = 256 };
+static void points_by_id(const trial *t, double x[MOST_POINTS][2])
+{
+    const fields *f = t->sim->domain->fields[0];
+    const size_t n = t->sim->mpm->points[0][0].n;
+    assert_true(n == MOST_POINTS);
+    for (size_t k = 0; k < n; ++k)
+        for (int a = 0; a < 2; ++a) x[(size_t)field_get(f, P_ID, 0, 0)[k]][a] = field_get(f, P_POS, 0, a)[k];
+}
+
+/* What is left of forces, and of moments about its centre, on a rigid block that has moved and turned as the points have, of their scale. */
+static double imbalance_of_block(const trial *t, double before[MOST_POINTS][2], const double from[4][2],
+                                 const double to[4][2], const double *k)
+{
+    double x[MOST_POINTS][2], centre[2] = {0.0, 0.0}, along = 0.0, across = 0.0, sum[3] = {0.0, -1600.0, 0.0};
+    points_by_id(t, x);
+    for (int p = 0; p < MOST_POINTS; ++p)
+        for (int a = 0; a < 2; ++a) centre[a] += x[p][a] / MOST_POINTS;
+    for (int p = 0; p < MOST_POINTS; ++p) {
+        const double X = before[p][0] - 2.0, Y = before[p][1] - 2.2;
+        along += X * (x[p][0] - centre[0]) + Y * (x[p][1] - centre[1]);
+        across += X * (x[p][1] - centre[1]) - Y * (x[p][0] - centre[0]);
+    }
+    const double c = along / hypot(along, across), s = across / hypot(along, across);
+    for (int e = 0; e < 4; ++e) {
+        const double X = to[e][0] - 2.0, Y = to[e][1] - 2.2, arm[2] = {c * X - s * Y, s * X + c * Y};
+        const double way[2] = {from[e][0] - centre[0] - arm[0], from[e][1] - centre[1] - arm[1]},
+                     length = hypot(way[0], way[1]), pull = k[e] * (length - (e < 2 ? 0.8 : 1.0)) / length;
+        sum[0] += pull * way[0];
+        sum[1] += pull * way[1];
+        sum[2] += pull * (arm[0] * way[1] - arm[1] * way[0]);
+    }
+    print_message("a block that sinks by %.3f m and turns by %.3f: forces %.2g, %.2g, moment %.2g\n", 2.2 - centre[1],
+                  atan2(s, c), sum[0] / 1600.0, sum[1] / 1600.0, sum[2] / (0.2 * 1600.0));
+    return fmax(hypot(sum[0], sum[1]) / 1600.0, fabs(sum[2]) / (0.2 * 1600.0));
+}
+
+/* Through several cells in many increments, in which its points come to be in another order, between springs that turn it. */
+static void test_far_balance(void **unused)
+{
+    (void)unused;
+    const double size[3] = {4.0, 4.0, 0.0}, from[4][2] = {{1.0, 3.2}, {3.0, 3.2}, {1.0, 1.0}, {3.0, 1.0}},
+                 to[4][2] = {{1.8, 2.4}, {2.2, 2.4}, {1.8, 2.0}, {2.2, 2.0}}, k[4] = {2e3, 2.2e3, 2e3, 2.2e3};
+    double before[MOST_POINTS][2];
+    trial t;
+    trial_begin(&t, 2, size, 0.05);
+    const int steel = add_solid(&t, "linear_elastic", 1e8, 5e7, 1000.0);
+    add_body(&t, steel, make_box(&t, (const double[]){1.8, 2.0, 0.0}, (const double[]){2.2, 2.4, 0.0}), 2);
+    for (int e = 0; e < 4; ++e) {
+        scene_spring *spring = add_spring(&t, k[e], e < 2 ? 0.8 : 1.0);
+        spring->end[0] = (scene_spring_end){.body = -1, .place = {from[e][0], from[e][1]}};
+        spring->end[1] = (scene_spring_end){.body = 0, .place = {to[e][0], to[e][1]}};
+    }
+    add_load(&t, LOAD_BODY_FORCE, -1)->vector[1] = -10.0;
+    t.scene->time.solver = SOLVER_STATIC;
+    t.scene->time.increments = 20;
+    t.scene->time.end = 1.0;
+    trial_start(&t);
+    points_by_id(&t, before);
+    while (t.sim->time < 1.0 - 1e-9) check_ok(t.ctx, sim_step(t.sim, 1.0));
+    check_true(imbalance_of_block(&t, before, from, to, k) < 2.2e-4);
+    trial_end(&t);
+}
+
+/* An end among four points a cell along each axis, with some just as far away as points belong to it: they have no weight. */
+static void test_rim(void **unused)
+{
+    (void)unused;
+    const double size[3] = {4.0, 0.0, 0.0};
+    trial t;
+    trial_begin(&t, 1, size, 0.125);
+    const int steel = add_solid(&t, "linear_elastic", 1e8, 5e7, 1000.0);
+    add_body(&t, steel, make_box(&t, (const double[]){2.0, 0.0, 0.0}, (const double[]){2.5, 0.0, 0.0}), 4);
+    scene_spring *spring = add_spring(&t, 1e4, NAN);
+    spring->end[0] = (scene_spring_end){.body = -1, .place = {3.5}};
+    spring->end[1] = (scene_spring_end){.body = 0, .place = {2.265625}};
+    add_load(&t, LOAD_BODY_FORCE, -1)->vector[0] = -1.0;
+    t.scene->time.solver = SOLVER_STATIC;
+    t.scene->time.end = 1.0;
+    trial_start(&t);
+    check_ok(t.ctx, sim_step(t.sim, 1.0));
+    mpm_totals sum;
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
+    print_message("a bar on a spring in its middle sinks by %.8f m\n", 2.25 - sum.moment[0][0] / sum.mass[0]);
+    check_close(2.25 - sum.moment[0][0] / sum.mass[0], 0.05, 1.4e-7);
+    trial_end(&t);
+}
+
 static void test_refusals(void **unused)
 {
     (void)unused;
@@ -313,9 +402,9 @@ static void test_refusals(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_masses),   cmocka_unit_test(test_tether),  cmocka_unit_test(test_support),
-        cmocka_unit_test(test_places),   cmocka_unit_test(test_dashpot), cmocka_unit_test(test_balance),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_masses),      cmocka_unit_test(test_tether),  cmocka_unit_test(test_support),
+        cmocka_unit_test(test_places),      cmocka_unit_test(test_dashpot), cmocka_unit_test(test_balance),
+        cmocka_unit_test(test_far_balance), cmocka_unit_test(test_rim),     cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

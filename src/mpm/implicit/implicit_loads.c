@@ -285,13 +285,15 @@ floe_status implicit_springs_find(mpm *s)
     for (int n = 0; all && n < s->scene->n_springs; ++n) {
         spring_nodes *spring = &all->spring[n];
         double sum = 0.0;
-        spring->n = spring_count(s, n);
+        spring->n = spring_find(s, n);
+        if (spring->n == 0) continue;
         TRY(memory_resize(s->ctx, &spring->reach, (size_t)spring->n, sizeof *spring->reach));
         for (int k = 0; k < spring->n; ++k) sum += fabs(spring_share_of(s, n, k).weight);
         for (int k = 0; k < spring->n; ++k) {
             const spring_share share = spring_share_of(s, n, k);
             find_reach(s, &share, &spring->reach[k]);
-            spring->reach[k].bound = sum / fabs(share.weight); /* (sum w x)^2 <= (sum |w|) (sum |w| x^2) */
+            /* (sum w x)^2 <= (sum |w|) (sum |w| x^2); a point at the rim of an end has no weight */
+            spring->reach[k].bound = share.weight != 0.0 ? sum / fabs(share.weight) : 0.0;
         }
     }
     return FLOE_OK;

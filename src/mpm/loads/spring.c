@@ -150,9 +150,12 @@ void enter_dashpots(mpm *s)
     }
 }
 
-int spring_count(const mpm *s, int n)
+int spring_find(mpm *s, int n)
 {
-    return s->springs[n].end[0].n + s->springs[n].end[1].n;
+    struct spring_state *state = &s->springs[n];
+    for (int e = 0; e < 2; ++e)
+        if (state->end[e].body >= 0 && !spring_end_find(s, &state->end[e])) return 0;
+    return state->end[0].n + state->end[1].n;
 }
 
 spring_share spring_share_of(const mpm *s, int n, int k)

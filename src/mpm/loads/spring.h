@@ -13,12 +13,13 @@ void free_springs(mpm *s);
 void scatter_springs(mpm *s, int group);
 /* Enters what dashpots have taken in the step; once points have their next positions. */
 void enter_dashpots(mpm *s);
-/* In static balance: the points of both ends of spring n, and number k of them, with its weight, negative at the first end. */
+/* In static balance: finds the points of both ends of spring n, which sorting moves, and gives their number; 0: one is lost, and the spring is
+ * broken. Then number k of them, with its weight, negative at the first end. */
 typedef struct spring_share {
     int body;
     double x[3], weight; /* m */
 } spring_share;
-int spring_count(const mpm *s, int n);
+int spring_find(mpm *s, int n);
 spring_share spring_share_of(const mpm *s, int n, int k);
 /* The spring with its second end moved (m) against the first: force (N) on the second, its stiffness against such motion, without what
  * compression takes across (N/m), and energy (J). */
