@@ -335,47 +335,24 @@ static floe_status find_nodes(mpm *s, int support)
     return FLOE_OK;
 }
 
-/* Visits the points of bodies that supports may hold, with the support that does, or -1. */
-typedef void supported_visitor(const mpm *s, int blk, int body, size_t k, int support);
-
-static void visit_supported(mpm *s, supported_visitor *visit)
-{
-    for (int blk = 0; blk < s->mesh->n_blocks; ++blk)
-        for (int body = 0; body < s->n_bodies; ++body) {
-            if (!supports_take_points(s, body)) continue;
-            const fields *f = s->domain->fields[blk];
-            const long long n = (long long)s->points[blk][body].n;
-#pragma omp parallel for schedule(static)
-            for (long long k = 0; k < n; ++k) {
-                double x[MESH_MAX_DIM] = {0.0};
-                for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
-                visit(s, blk, body, (size_t)k, support_with(s, x));
-            }
-        }
-}
-
-static void set_free_mass(const mpm *s, int blk, int body, size_t k, int support)
+static void set_free_mass(const mpm *s, int blk, int body, size_t k)
 {
     const fields *f = s->domain->fields[blk];
-    field_get(f, P_FREE_MASS, body, 0)[k] = support < 0 ? field_get(f, P_MASS, body, 0)[k] : 0.0;
+    double x[MESH_MAX_DIM] = {0.0};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
+    field_get(f, P_FREE_MASS, body, 0)[k] = support_with(s, x) < 0 ? field_get(f, P_MASS, body, 0)[k] : 0.0;
 }
 
 floe_status mpm_find_free_points(mpm *s)
 {
-    visit_supported(s, set_free_mass);
+    for (int blk = 0; blk < s->mesh->n_blocks; ++blk)
+        for (int body = 0; body < s->n_bodies; ++body) {
+            if (!supports_take_points(s, body)) continue;
+            const long long n = (long long)s->points[blk][body].n;
+#pragma omp parallel for schedule(static)
+            for (long long k = 0; k < n; ++k) set_free_mass(s, blk, body, (size_t)k);
+        }
     return FLOE_OK;
-}
-
-static void relieve_point(const mpm *s, int blk, int body, size_t k, int support)
-{
-    const fields *f = s->domain->fields[blk];
-    for (int c = 0; support >= 0 && c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
-        field_get(f, P_STRESS, body, c)[k] = 0.0;
-}
-
-void relieve_supported_points(mpm *s)
-{
-    visit_supported(s, relieve_point);
 }
 
 static floe_status find_all_nodes(mpm *s)

@@ -8,8 +8,6 @@
 bool supports_take_points(const mpm *s, int body);
 /* The first support whose region has the place x (m); -1: none. */
 int support_with(const mpm *s, const double x[MESH_MAX_DIM]);
-/* Takes the initial stress from the points that belong to supports. */
-void relieve_supported_points(mpm *s);
 /* Whether supports lead nodes, and a body may be what passes their surfaces. */
 bool supports_lead(const mpm *s, int body);
 /* Whether the surface of a support passes a cell at the start. */

@@ -17,6 +17,7 @@
 #include "scene/state.h"
 
 #include <math.h>
+#include <string.h>
 
 /* The key that gives a body its first stress, and who says so. */
 static const char *stress_key(const scene_body *b)
@@ -93,6 +94,7 @@ static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x
         field_get(f, P_ENERGY, body, 0)[k] = state.energy;
     } else {
         TRY(body_solid_state(s->scene, b->scene_body, x, velocity, stress));
+        if (supports_take_points(s, body) && support_with(s, x) >= 0) memset(stress, 0, sizeof stress);
         if (fields_has(f, P_ENERGY, body)) field_get(f, P_ENERGY, body, 0)[k] = 0.0;
         if (b->law->needs & SOLID_NEEDS_F) TRY(set_strain(s, blk, body, k, stress));
         if (b->depends_on & SOLID_BY_ENERGY) TRY(refuse_first_pressure(s, body, stress));
@@ -230,7 +232,6 @@ floe_status mpm_seed(mpm *s)
     TRY(mpm_resort(s));
     TRY(start_membranes(s));
     motions_start(s);
-    relieve_supported_points(s);
     TRY(start_springs(s));
     return edges_start(s);
 }
