@@ -374,6 +374,42 @@ static void test_rim(void **unused)
     trial_end(&t);
 }
 
+/* A spring on a place that a support holds pulls the support, not the solid beyond: this stays, and the support's impulse is that of the spring. */
+static void pull_support(time_solver solver)
+{
+    const double size[3] = {1.0, 1.0, 0.0};
+    trial t;
+    mpm_totals before, after;
+    trial_begin(&t, 2, size, 0.05);
+    const int steel = add_solid(&t, "neo_hookean", 1e7, 5e6, 1000.0);
+    add_body(&t, steel, make_box(&t, (const double[]){0.2, 0.4, 0.0}, (const double[]){0.9, 0.6, 0.0}), 2);
+    scene_support *clamp = &t.scene->support[t.scene->n_supports++];
+    clamp->region = make_box(&t, (const double[]){0.0, 0.0, 0.0}, (const double[]){0.33, 1.0, 0.0});
+    scene_spring *spring = add_spring(&t, 1e4, 0.3);
+    spring->end[0] = (scene_spring_end){.body = -1, .place = {0.23, 0.9}};
+    spring->end[1] = (scene_spring_end){.body = 0, .place = {0.23, 0.5}};
+    t.scene->time.solver = solver;
+    t.scene->time.end = 0.01;
+    trial_start(&t);
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &before));
+    while (t.sim->time < 0.01 - 1e-12) check_ok(t.ctx, sim_step(t.sim, 0.01));
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &after));
+    check_close(after.moment[0][1], before.moment[0][1], 1e-13);
+    check_close(after.strain[0], 0.0, 1e-20);
+    const ledger_sum *of = t.sim->ledger.entry[LEDGER_MOMENTUM_Y];
+    const double given = solver == SOLVER_DYNAMIC ? 1000.0 * 0.01 : 0.0; /* balance has no impulse */
+    check_close(of[LEDGER_SOURCE].value, given, 1e-2 * given);           /* velocities are half a step back */
+    check_close(of[LEDGER_BOUNDARY].value, -of[LEDGER_SOURCE].value, 1e-14 * given);
+    trial_end(&t);
+}
+
+static void test_held_place(void **unused)
+{
+    (void)unused;
+    pull_support(SOLVER_DYNAMIC);
+    pull_support(SOLVER_STATIC);
+}
+
 static void test_refusals(void **unused)
 {
     (void)unused;
@@ -404,7 +440,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_masses),      cmocka_unit_test(test_tether),  cmocka_unit_test(test_support),
         cmocka_unit_test(test_places),      cmocka_unit_test(test_dashpot), cmocka_unit_test(test_balance),
-        cmocka_unit_test(test_far_balance), cmocka_unit_test(test_rim),     cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_far_balance), cmocka_unit_test(test_rim),     cmocka_unit_test(test_held_place),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 #include "mpm/implicit/implicit.h"
 #include "mpm/loads/point_loads.h"
 #include "mpm/loads/spring.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/surface/surface_facets.h"
 #include "mpm/surface/surface_markers.h"
 #include "mpm/surface/surfaces.h"
@@ -234,9 +235,9 @@ void implicit_assemble_surfaces(const mpm *s, node_matrix *m)
 
 /* ---- springs in static balance ---- */
 
-/* A point of an end: its nodes from `first` on, and how much larger its part of the matrix is. */
+/* A point of an end: its nodes, how much larger its part of the matrix is, and how far a support to which it belongs moves it, times its weight (m). */
 typedef struct spring_reach {
-    double bound;
+    double bound, carried[3];
     int layer, n;
     weighted_node node[IMPLICIT_NODES];
 } spring_reach;
@@ -265,10 +266,14 @@ void implicit_springs_free(mpm *s)
     memory_free(s->ctx, &s->implicit->springs);
 }
 
-/* The nodes of a point, those that no point reaches left out. */
+/* The nodes of a point, those that no point reaches left out. One that belongs to a support moves with that alone. */
 static void find_reach(const mpm *s, const spring_share *share, spring_reach *out)
 {
     const struct mpm_implicit *w = s->implicit;
+    *out = (spring_reach){.n = 0};
+    for (int c = 0; share->support >= 0 && c < s->mesh->dim; ++c)
+        out->carried[c] = share->weight * s->dt * support_velocity(s, share->support)[c];
+    if (share->support >= 0) return;
     const point_weights place = implicit_weights_at(s, share->x);
     out->layer = implicit_layer(s, s->body[share->body].group);
     out->n = implicit_nodes(s, &place, out->node);
@@ -313,6 +318,14 @@ static void moved_by(const mpm *s, const spring_nodes *spring, const double *u, 
     for (int k = 0; k < spring->n; ++k) moved_by_point(s, &spring->reach[k], u, out);
 }
 
+/* The same at the displacement u of the nodes, with what supports move. */
+static void moved_at(const mpm *s, const spring_nodes *spring, const double *u, double out[3])
+{
+    moved_by(s, spring, u, out);
+    for (int k = 0; k < spring->n; ++k)
+        for (int c = 0; c < 3; ++c) out[c] += spring->reach[k].carried[c];
+}
+
 static void push_point(const mpm *s, const spring_reach *r, const double force[3], bool free_alone, double *out)
 {
     const struct mpm_implicit *w = s->implicit;
@@ -329,7 +342,7 @@ void implicit_springs_force(mpm *s, const double *u, double *external)
     for (int n = 0; all && n < s->scene->n_springs; ++n) {
         spring_nodes *spring = &all->spring[n];
         double moved[3];
-        moved_by(s, spring, u, moved);
+        moved_at(s, spring, u, moved);
         spring_pull_at(s, n, moved, &spring->pull);
         for (int k = 0; k < spring->n; ++k) push_point(s, &spring->reach[k], spring->pull.force, false, external);
     }
@@ -343,7 +356,7 @@ double implicit_springs_gain(mpm *s, const double *u)
         const double still[3] = {0.0, 0.0, 0.0};
         double moved[3];
         spring_pull before, after;
-        moved_by(s, &all->spring[n], u, moved);
+        moved_at(s, &all->spring[n], u, moved);
         spring_pull_at(s, n, still, &before);
         spring_pull_at(s, n, moved, &after);
         sum += after.energy - before.energy;

@@ -5,6 +5,8 @@
 #include "base/memory.h"
 #include "math/tensor.h"
 #include "mpm/motion/motion_springs.h"
+#include "mpm/nodes/support_points.h"
+#include "mpm/nodes/supports.h"
 #include "mpm/transfer/stencil.h"
 #include "scene/state.h"
 
@@ -94,6 +96,20 @@ static double lengthening(const mpm *s, int n, const double unit[3])
     return (v[1][0] - v[0][0]) * unit[0] + (v[1][1] - v[0][1]) * unit[1] + (v[1][2] - v[0][2]) * unit[2];
 }
 
+/* The support that a point belongs to; -1: none. */
+static int support_of_point(const mpm *s, int body, const double x[3])
+{
+    return supports_take_points(s, body) ? support_with(s, x) : -1;
+}
+
+/* Gives a force (N) to a point; one that belongs to a support hands it on. */
+static void push_point(mpm *s, int body, const double x[3], const double force[3])
+{
+    const int support = support_of_point(s, body, x);
+    if (support < 0) push_nodes(s, s->body[body].group, x, force);
+    for (int a = 0; support >= 0 && a < s->mesh->dim; ++a) push_support(s, support, x, a, -s->kick * force[a]);
+}
+
 /* Gives a force (N) at x to the points of an end. */
 static void push_end(mpm *s, const spring_end *end, const double x[3], const double force[3])
 {
@@ -107,7 +123,7 @@ static void push_end(mpm *s, const spring_end *end, const double x[3], const dou
         for (int a = 0; a < s->mesh->dim; ++a)
             at[a] = field_get(s->domain->fields[p->block], P_POS, end->body, a)[p->index];
         for (int a = 0; a < 3; ++a) share[a] = p->weight * force[a];
-        push_nodes(s, s->body[end->body].group, at, share);
+        push_point(s, end->body, at, share);
     }
 }
 
@@ -164,9 +180,10 @@ spring_share spring_share_of(const mpm *s, int n, int k)
     const int e = k < state->end[0].n ? 0 : 1;
     const spring_end *end = &state->end[e];
     const spring_point *p = &end->point[k - (e == 0 ? 0 : state->end[0].n)];
-    spring_share out = {.body = end->body, .weight = e == 0 ? -p->weight : p->weight};
+    spring_share out = {.body = end->body, .support = -1, .weight = e == 0 ? -p->weight : p->weight};
     for (int a = 0; a < s->mesh->dim; ++a)
         out.x[a] = field_get(s->domain->fields[p->block], P_POS, end->body, a)[p->index];
+    out.support = support_of_point(s, end->body, out.x);
     return out;
 }
 

@@ -16,7 +16,7 @@ void enter_dashpots(mpm *s);
 /* In static balance: finds the points of both ends of spring n, which sorting moves, and gives their number; 0: one is lost, and the spring is
  * broken. Then number k of them, with its weight, negative at the first end. */
 typedef struct spring_share {
-    int body;
+    int body, support;   /* that it belongs to; -1: none */
     double x[3], weight; /* m */
 } spring_share;
 int spring_find(mpm *s, int n);
