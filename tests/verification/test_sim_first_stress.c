@@ -158,6 +158,13 @@ static void test_clamped(void **unused)
     (void)unused;
     const char *neo[] = {"materials.steel.law={neo_hookean: {bulk_modulus: 1e8, shear_modulus: 5e7}}",
                          "method.basis=gimp"};
+    const char *mirror[] = {"domain={dim: 2, lower: [0, 0], upper: [1, 1], cell: 0.05}",
+                            "boundaries={y: {lower: symmetry}}",
+                            "bodies.bar.shape={box: {lower: [0.1, 0], upper: [0.9, 0.3]}}",
+                            "bodies.bar.stress=[1e6, 0, 0, 0, 0, 0]",
+                            "supports.lower.region={box: {lower: [0, 0], upper: [0.25, 1]}}",
+                            "supports.upper.region={box: {lower: [0.75, 0], upper: [1, 1]}}"};
+    check_true(clamped_motion("linear, at a mirror", mirror, 6) < 1e-18);
     check_true(clamped_motion("linear", NULL, 0) < 9.8e-6);
     check_true(clamped_motion("neo-Hookean", neo, 1) < 1e-5);
     check_true(clamped_motion("neo-Hookean, gimp", neo, 2) < 1e-18);

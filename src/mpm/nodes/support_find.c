@@ -37,10 +37,16 @@ static void place_at_start(const mpm *s, int support, const double x[MESH_MAX_DI
     for (int a = 0; a < MESH_MAX_DIM; ++a) out[a] = x[a] - s->time * support_velocity(s, support)[a];
 }
 
+/* What ends at a side of the mesh has the nodes there, too. */
 static bool region_has(const mpm *s, int support, const double x[MESH_MAX_DIM])
 {
-    double at[MESH_MAX_DIM];
-    place_at_start(s, support, x, at);
+    const mesh *m = s->mesh;
+    double at[MESH_MAX_DIM] = {0.0};
+    for (int a = 0; a < m->dim; ++a) {
+        const double inward = MPM_SUPPORT_BESIDE * m->h[a];
+        at[a] = m->periodic[a] ? x[a] : fmax(m->lower[a] + inward, fmin(x[a], m->upper[a] - inward));
+    }
+    place_at_start(s, support, at, at);
     return shape_inside(s->supports->region[support].region, s->mesh->dim, at);
 }
 
