@@ -1,11 +1,13 @@
 #include "sim/interface.h"
 
+#include "base/memory.h"
 #include "embedded/cut.h"
 #include "geom/bounds.h"
 #include "ice/ice.h"
 #include "mpm/basis/basis.h"
 #include "mpm/surface/boundary.h"
 #include "scene/flight.h"
+#include "scene/layout.h"
 #include "scene/mass_source.h"
 #include "scene/scene_reach.h"
 #include "scene/side_parts.h"
@@ -501,6 +503,23 @@ floe_status interface_check_size(const scene *s, const mesh *m)
                     s->mesh.cell[0], nodes, (double)INT_MAX, s->mesh.cell[0] * pow(nodes / INT_MAX, 1.0 / m->dim));
 }
 
+/* Asks of the bodies' shapes as they are filled, which `yields` has parts taken out of; where bodies overlap, of those of the deck: that is refused elsewhere. */
+static floe_status look_at_layout(scene *s, const mesh *m, bool check)
+{
+    scene_layout *made = NULL;
+    floe_status status = scene_lay_out(&made, s, COUPLING_ICE_MPM, m);
+    if (status == FLOE_BAD_INPUT) {
+        context_clear(s->ctx);
+        status = FLOE_OK;
+    }
+    scene *as_filled = made ? &made->scene : s;
+    if (status == FLOE_OK) status = find_sharing(as_filled, m);
+    s->fluids_share = as_filled->fluids_share;
+    if (status == FLOE_OK && check) status = check_all(as_filled, m, OF_AUTO);
+    memory_free(s->ctx, &made);
+    return status;
+}
+
 static floe_status settle_auto(scene *s)
 {
     mesh m;
@@ -509,8 +528,7 @@ static floe_status settle_auto(scene *s)
     s->method.interface = INTERFACE_SMEARED;
     if (!traced) return FLOE_OK;
     floe_status status = mesh_init(&m, s->ctx, &s->mesh);
-    if (status == FLOE_OK) status = find_sharing(s, &m);
-    if (status == FLOE_OK) status = check_all(s, &m, OF_AUTO);
+    if (status == FLOE_OK) status = look_at_layout(s, &m, true);
     if (status == FLOE_OK) choose_interface(s, INTERFACE_SHARP, "");
     if (status != FLOE_BAD_INPUT) return status;
     (void)snprintf(why, sizeof why, ", as %s", context_message(s->ctx));
@@ -525,7 +543,7 @@ static floe_status settle_sharp(scene *s)
     mesh m;
     if (!is_traced(s)) return FLOE_OK;
     TRY(mesh_init(&m, s->ctx, &s->mesh));
-    return find_sharing(s, &m);
+    return look_at_layout(s, &m, false);
 }
 
 floe_status interface_settle(scene *s)

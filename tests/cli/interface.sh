@@ -152,6 +152,14 @@ below "$(json box/summary.json energy)" 1e-3
 # Bodies that touch along oblique lines: slivers that open between them hold no gas, and end no run (41 steps measured).
 expect 0 "$FLOE" run "$FLOE_SOURCE/tests/cli/decks/pocket.yaml" -o pocket --quiet
 [ "$(json pocket/summary.json interface)" = 'auto: sharp' ] || fault 'bodies that touch are not sharp'
+
+# A flag that yields to the cylinder that holds it, both of one material: the shapes are asked for as they are filled.
+sed -e 's/^  body:$/  flag:/' -e '/^supports:/d' -e '/^  cylinder: {region/d' -e 's/body: body,/body: flag,/' \
+    -e 's/^bodies:$/bodies:\n  cylinder: {material: rubber, motion: fixed, shape: {ball: {centre: [0.2, 0.2], radius: 0.05}}}/' \
+    -e 's/^    shape: {union.*$/    yields: true\n    shape: {box: {lower: [0.2, 0.19], upper: [0.6, 0.21]}}/' \
+    "$FLOE_SOURCE/inputs/turek_hron_fsi.yaml" >flag.yaml
+expect 0 "$FLOE" plan flag.yaml
+has stdout 'interface: auto: sharp'
 below "$(json pocket/summary.json steps)" 80
 below "$(json pocket/summary.json mass)" 1e-12
 below "$(json pocket/summary.json energy)" 4e-6
