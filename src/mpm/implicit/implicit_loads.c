@@ -4,7 +4,6 @@
 #include "mpm/implicit/implicit.h"
 #include "mpm/loads/point_loads.h"
 #include "mpm/loads/spring.h"
-#include "mpm/nodes/supports.h"
 #include "mpm/surface/surface_facets.h"
 #include "mpm/surface/surface_markers.h"
 #include "mpm/surface/surfaces.h"
@@ -272,7 +271,7 @@ static void find_reach(const mpm *s, const spring_share *share, spring_reach *ou
     const struct mpm_implicit *w = s->implicit;
     *out = (spring_reach){.n = 0};
     for (int c = 0; share->support >= 0 && c < s->mesh->dim; ++c)
-        out->carried[c] = share->weight * s->dt * support_velocity(s, share->support)[c];
+        out->carried[c] = share->weight * s->dt * s->scene->support[share->support].velocity[c];
     if (share->support >= 0) return;
     const point_weights place = implicit_weights_at(s, share->x);
     out->layer = implicit_layer(s, s->body[share->body].group);
@@ -326,7 +325,7 @@ static void moved_at(const mpm *s, const spring_nodes *spring, const double *u, 
         for (int c = 0; c < 3; ++c) out[c] += spring->reach[k].carried[c];
 }
 
-static void push_point(const mpm *s, const spring_reach *r, const double force[3], bool free_alone, double *out)
+static void push_reach(const mpm *s, const spring_reach *r, const double force[3], bool free_alone, double *out)
 {
     const struct mpm_implicit *w = s->implicit;
     for (int i = 0; i < r->n; ++i)
@@ -344,7 +343,7 @@ void implicit_springs_force(mpm *s, const double *u, double *external)
         double moved[3];
         moved_at(s, spring, u, moved);
         spring_pull_at(s, n, moved, &spring->pull);
-        for (int k = 0; k < spring->n; ++k) push_point(s, &spring->reach[k], spring->pull.force, false, external);
+        for (int k = 0; k < spring->n; ++k) push_reach(s, &spring->reach[k], spring->pull.force, false, external);
     }
 }
 
@@ -385,7 +384,7 @@ void implicit_springs_stiffness(const mpm *s, const double *x, double *y)
             stiffness_times(&spring->pull, own, r->bound, counted);
             stiffness_times(&spring->pull, moved, 1.0, force);
             for (int a = 0; a < 3; ++a) force[a] -= counted[a]; /* the matrix has that */
-            push_point(s, r, force, true, y);
+            push_reach(s, r, force, true, y);
         }
     }
 }

@@ -96,8 +96,8 @@ static double lengthening(const mpm *s, int n, const double unit[3])
     return (v[1][0] - v[0][0]) * unit[0] + (v[1][1] - v[0][1]) * unit[1] + (v[1][2] - v[0][2]) * unit[2];
 }
 
-/* The support that a point belongs to; -1: none. */
-static int support_of_point(const mpm *s, int body, const double x[3])
+/* The support that a point at x belongs to; -1: none. */
+static int support_of_place(const mpm *s, int body, const double x[3])
 {
     return supports_take_points(s, body) ? support_with(s, x) : -1;
 }
@@ -105,7 +105,7 @@ static int support_of_point(const mpm *s, int body, const double x[3])
 /* Gives a force (N) to a point; one that belongs to a support hands it on. */
 static void push_point(mpm *s, int body, const double x[3], const double force[3])
 {
-    const int support = support_of_point(s, body, x);
+    const int support = support_of_place(s, body, x);
     if (support < 0) push_nodes(s, s->body[body].group, x, force);
     for (int a = 0; support >= 0 && a < s->mesh->dim; ++a) push_support(s, support, x, a, -s->kick * force[a]);
 }
@@ -183,7 +183,7 @@ spring_share spring_share_of(const mpm *s, int n, int k)
     spring_share out = {.body = end->body, .support = -1, .weight = e == 0 ? -p->weight : p->weight};
     for (int a = 0; a < s->mesh->dim; ++a)
         out.x[a] = field_get(s->domain->fields[p->block], P_POS, end->body, a)[p->index];
-    out.support = support_of_point(s, end->body, out.x);
+    out.support = support_of_place(s, end->body, out.x);
     return out;
 }
 
