@@ -31,7 +31,7 @@ FLOE_ALWAYS_INLINE double fan_share(double stretch, double both)
 }
 
 FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, int j, int k, const int dim,
-                                          const bool multi)
+                                          const bool multi, const bool uneven)
 {
     const ice_fluid *m = &v->m[r];
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
@@ -43,7 +43,6 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
                  sharpen = 0.125 * v->limit_hi,
                  drawn = (multi ? ICE_FAN_BESIDE_OTHERS : ICE_FAN_ALONE) * (1.0 - v->limit_lo);
     const double *restrict all = multi ? v->rho_sum : m->rho, *restrict open = v->m[0].open;
-    const bool uneven = multi && v->uneven > 0.0 && v->gravity[axis] != 0.0;
     double quarter[3];
     ptrdiff_t st[3];
     for (int a = 0; a < dim; ++a) {
@@ -78,7 +77,10 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
 #define INSTANCE(d, m)                                                                              \
     FLOE_WIDE static void face_velocity_##d##_##m(const ice_view *v, int r, int axis, int j, int k) \
     {                                                                                               \
-        face_velocity_row(v, r, axis, j, k, d, m);                                                  \
+        if (m && v->uneven > 0.0 && v->gravity[axis] != 0.0) /* cells that bear weight unevenly */  \
+            face_velocity_row(v, r, axis, j, k, d, m, true);                                        \
+        else                                                                                        \
+            face_velocity_row(v, r, axis, j, k, d, m, false);                                       \
     }
 ICE_EACH(INSTANCE)
 static ice_material_row *const face_velocity_rows[3][2] = ICE_TABLE(face_velocity);
@@ -126,9 +128,8 @@ floe_status ice_face_velocity_of(ice *s, const ice_region *g)
 }
 
 /* P* = (P_L/rho_L + P_R/rho_R) / (1/rho_L + 1/rho_R) (theory 2.4; Guilkey et al. 2003, step 6). */
-FLOE_WIDE static void face_pressure_row(const ice_view *v, int r, int axis, int j, int k)
+FLOE_ALWAYS_INLINE void mean_pressure_row(const ice_view *v, int axis, int j, int k, const bool uneven)
 {
-    (void)r;
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
     const double *restrict P = v->P, *restrict rho = v->rho_sum;
     double *restrict face = v->fp[axis];
@@ -141,11 +142,20 @@ FLOE_WIDE static void face_pressure_row(const ice_view *v, int r, int axis, int 
         /* P_L plus a part of the difference: exact where P is uniform */
         const double share = rho[L] / (rho[L] + rho[R]), even = P[L] + share * (P[R] - P[L]);
         /* at rest P_L and the weight of the upper half of the lower cell */
-        const double centred = weight == 0.0 ? even
-                                             : even - weight * ((1.0 - share) * ice_lean_open(rho, open, L, step) +
-                                                                share * ice_lean_open(rho, open, R, step));
+        const double centred = !uneven ? even
+                                       : even - weight * ((1.0 - share) * ice_lean_open(rho, open, L, step) +
+                                                          share * ice_lean_open(rho, open, R, step));
         face[R] = alone && alone[R] > 0.0 && alone[L] > 0.0 ? found : centred;
     }
+}
+
+FLOE_WIDE static void face_pressure_row(const ice_view *v, int r, int axis, int j, int k)
+{
+    (void)r;
+    if (v->uneven * v->gravity[axis] != 0.0)
+        mean_pressure_row(v, axis, j, k, true);
+    else
+        mean_pressure_row(v, axis, j, k, false);
 }
 
 floe_status ice_face_pressure_of(ice *s, const ice_region *g)
