@@ -3,7 +3,7 @@
 #include "mpm/loads/spring_end.h"
 
 #include "base/memory.h"
-#include "math/small_solve.h"
+#include "math/linear_weights.h"
 #include "mpm/motion/motion_springs.h"
 
 #include <math.h>
@@ -126,32 +126,31 @@ static void add_to_end(const mpm *s, int blk, int body, size_t k, double square,
     f->end->point[f->end->n++] = (spring_point){field_get(from, P_ID, body, 0)[k], weight, blk, k};
 }
 
+/* A point from the place, in cells: row of the moments, 1 first. */
+static void moment_row_of_point(const mpm *s, const spring_end *end, int k, const double x[3], double row[LINEAR_TERMS])
+{
+    const spring_point *p = &end->point[k];
+    row[0] = 1.0;
+    for (int a = 0; a < s->mesh->dim; ++a)
+        row[1 + a] = (field_get(s->domain->fields[p->block], P_POS, end->body, a)[p->index] - x[a]) / s->mesh->h[a];
+}
+
 /* Weights times a linear factor, so that they sum to one and their centre is the place. False where the points do not allow it. */
 static bool centre_weights(const mpm *s, spring_end *end, const double x[3])
 {
-    const int n = 1 + s->mesh->dim;
-    double A[16] = {0.0}, c[4] = {1.0}, row[4] = {1.0}, size = 0.0, sum[4] = {0.0};
-    for (int pass = 0; pass < 2; ++pass) {
-        for (int k = 0; k < end->n; ++k) {
-            spring_point *p = &end->point[k];
-            double factor = c[0];
-            for (int a = 0; a < s->mesh->dim; ++a) {
-                row[1 + a] =
-                    (field_get(s->domain->fields[p->block], P_POS, end->body, a)[p->index] - x[a]) / s->mesh->h[a];
-                factor += c[1 + a] * row[1 + a];
-            }
-            if (pass == 1) p->weight *= factor;
-            size += pass == 1 ? fabs(p->weight) : 0.0;
-            for (int a = 0; a < n; ++a) {
-                sum[a] += pass == 1 ? p->weight * row[a] : 0.0;
-                for (int b = 0; pass == 0 && b < n; ++b) A[n * a + b] += p->weight * row[a] * row[b];
-            }
-        }
-        if (pass == 0 && !small_solve_symmetric(n, A, c)) return false;
+    linear_weights linear = linear_weights_begin(s->mesh->dim);
+    double row[LINEAR_TERMS], size = 0.0;
+    for (int k = 0; k < end->n; ++k) {
+        moment_row_of_point(s, end, k, x, row);
+        linear_weights_add(&linear, row, end->point[k].weight);
     }
-    for (int a = 0; a < n; ++a) /* nearly singular: the result is noise */
-        if (!(fabs(sum[a] - (a == 0 ? 1.0 : 0.0)) <= 1e-12)) return false;
-    return size <= most_weight;
+    if (!linear_weights_solve(&linear)) return false;
+    for (int k = 0; k < end->n; ++k) {
+        moment_row_of_point(s, end, k, x, row);
+        end->point[k].weight = linear_weights_take(&linear, row, end->point[k].weight);
+        size += fabs(end->point[k].weight);
+    }
+    return linear_weights_hold(&linear) && size <= most_weight;
 }
 
 static floe_status refuse_place(const mpm *s, const scene_spring *spring, int e, const nearest_point *nearest, int body)

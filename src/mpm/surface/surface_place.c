@@ -1,7 +1,7 @@
 /* How a place on a surface meets the nodes: its shares of a force or of heat, its motion, its temperature (theory 4.13). */
 #include "mpm/surface/surface_place.h"
 
-#include "math/small_solve.h"
+#include "math/linear_weights.h"
 #include "mpm/motion/motion.h"
 #include "mpm/nodes/node.h"
 #include "mpm/nodes/supports.h"
@@ -61,23 +61,18 @@ static void moment_row(const mpm *s, const double x[3], const int node[3], doubl
  * that are left cannot do it with shares within one: the weights are as they were. */
 static bool keep_moments(const mpm *s, const double x[3], place_stencil *st)
 {
-    const int n = 1 + s->mesh->dim;
-    double A[16] = {0.0}, c[4] = {1.0}, row[STENCIL_NODES][4], weight[STENCIL_NODES], sum[4] = {0.0};
+    linear_weights linear = linear_weights_begin(s->mesh->dim);
+    double row[STENCIL_NODES][LINEAR_TERMS], weight[STENCIL_NODES];
     for (int i = 0; i < st->n; ++i) {
         moment_row(s, x, st->node[i], row[i]);
-        for (int a = 0; a < n; ++a)
-            for (int b = 0; b < n; ++b) A[n * a + b] += st->w[i] * row[i][a] * row[i][b];
+        linear_weights_add(&linear, row[i], st->w[i]);
     }
-    if (!small_solve_symmetric(n, A, c)) return false;
+    if (!linear_weights_solve(&linear)) return false;
     for (int i = 0; i < st->n; ++i) {
-        double factor = 0.0;
-        for (int a = 0; a < n; ++a) factor += c[a] * row[i][a];
-        weight[i] = st->w[i] * factor;
+        weight[i] = linear_weights_take(&linear, row[i], st->w[i]);
         if (!(fabs(weight[i]) <= 1.0)) return false;
-        for (int a = 0; a < n; ++a) sum[a] += weight[i] * row[i][a];
     }
-    for (int a = 0; a < n; ++a) /* nearly singular: the result is noise */
-        if (!(fabs(sum[a] - (a == 0 ? 1.0 : 0.0)) <= 1e-12)) return false;
+    if (!linear_weights_hold(&linear)) return false;
     memcpy(st->w, weight, (size_t)st->n * sizeof *weight);
     return true;
 }
