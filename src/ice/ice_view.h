@@ -70,7 +70,7 @@ typedef struct ice_view {
     double limit_beyond; /* share of their range by which velocities may go beyond those of the neighbours (theory 3) */
     double length, finest; /* m: the largest spacing and the smallest */
     double share[3];       /* ratio of each axis' spacing to the largest: one on square cells */
-    double uneven;         /* 1: faces of 2.2 bear the weight of cells where it lies in them (ice_lean.h); 0: evenly */
+    bool uneven;           /* faces of 2.2 bear the weight of cells where it lies in them (ice_lean.h), not evenly */
     bool burns;            /* some solid on points reacts */
     bool reconcile;        /* cells are closed along isentropes (ice_follows_isentropes) */
     double
@@ -153,6 +153,12 @@ static inline double ice_least_energy(const ice_view *v, int r)
 {
     const double floor = v->material[r].energy_floor;
     return isnan(floor) ? 0.0 : floor;
+}
+
+/* Whether cells bear a weight along an axis where it lies in them. Rows that need not find it are instances of their own: lanes evaluate both sides of a condition. */
+static inline bool ice_weight_is_uneven(const ice_view *v, int axis)
+{
+    return v->uneven && v->gravity[axis] != 0.0;
 }
 
 /* The centring of the implicit pressure where the explicit one is phi. */

@@ -93,7 +93,7 @@ static double rise_along(const ice *s, const ice_member *m, int axis, double fro
 
 double ice_rise_to_piece(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[3])
 {
-    if (!(ice_member_view(s, m)->uneven > 0.0)) return even_rise(s, p, m, from_centre);
+    if (!ice_member_view(s, m)->uneven) return even_rise(s, p, m, from_centre);
     double sum = ice_merged_rise(s, p, m);
     for (int a = 0; a < s->mesh->dim; ++a) sum += rise_along(s, m, a, from_centre[a]);
     return sum;
@@ -103,7 +103,7 @@ double ice_rise_to_face(const ice *s, const ice_merged_cells *p, const ice_membe
 {
     double x[3] = {0.0};
     x[axis] = (side == SIDE_UPPER ? 0.5 : -0.5) * s->mesh->h[axis];
-    if (!(ice_member_view(s, m)->uneven > 0.0)) return even_rise(s, p, m, x);
+    if (!ice_member_view(s, m)->uneven) return even_rise(s, p, m, x);
     return ice_merged_rise(s, p, m) + rise_along(s, m, axis, x[axis]);
 }
 

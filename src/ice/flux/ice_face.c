@@ -77,7 +77,7 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
 #define INSTANCE(d, m)                                                                              \
     FLOE_WIDE static void face_velocity_##d##_##m(const ice_view *v, int r, int axis, int j, int k) \
     {                                                                                               \
-        if (m && v->uneven > 0.0 && v->gravity[axis] != 0.0) /* cells that bear weight unevenly */  \
+        if (m && ice_weight_is_uneven(v, axis))                                                     \
             face_velocity_row(v, r, axis, j, k, d, m, true);                                        \
         else                                                                                        \
             face_velocity_row(v, r, axis, j, k, d, m, false);                                       \
@@ -134,7 +134,7 @@ FLOE_ALWAYS_INLINE void mean_pressure_row(const ice_view *v, int axis, int j, in
     const double *restrict P = v->P, *restrict rho = v->rho_sum;
     double *restrict face = v->fp[axis];
     const double *alone = v->traced ? v->alone : NULL;
-    const double weight = v->uneven * v->gravity[axis] * v->h[axis], *restrict open = v->m[0].open;
+    const double weight = v->gravity[axis] * v->h[axis], *restrict open = v->m[0].open;
 #pragma omp simd
     for (ptrdiff_t i = 0; i < n; ++i) {
         const ptrdiff_t R = base + i, L = R - step;
@@ -152,7 +152,7 @@ FLOE_ALWAYS_INLINE void mean_pressure_row(const ice_view *v, int axis, int j, in
 FLOE_WIDE static void face_pressure_row(const ice_view *v, int r, int axis, int j, int k)
 {
     (void)r;
-    if (v->uneven * v->gravity[axis] != 0.0)
+    if (ice_weight_is_uneven(v, axis))
         mean_pressure_row(v, axis, j, k, true);
     else
         mean_pressure_row(v, axis, j, k, false);

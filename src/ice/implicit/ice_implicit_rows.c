@@ -76,15 +76,11 @@ static void set_face_mobility(const ice *s, const ice_view *v, int axis, int j, 
     }
 }
 
-/* u*_0: from the explicit centring and the pressure at the start to those of the implicit step. */
-static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
+FLOE_ALWAYS_INLINE void centre_inner_faces(const ice_view *v, int axis, ptrdiff_t from, ptrdiff_t to, const bool uneven)
 {
-    ptrdiff_t from, to;
-    if (!inner_faces(s, v, axis, j, k, &from, &to)) return;
     const ptrdiff_t step = v->b->stride[axis];
     const double pressure_impulse = v->dt * v->inv_h[axis], gravity_impulse = v->dt * v->gravity[axis];
     const double *restrict p = v->p, *restrict c = v->dP, *restrict shock = v->shock, *restrict all = v->rho_sum;
-    const bool uneven = v->uneven > 0.0 && v->gravity[axis] != 0.0;
     for (int r = 0; r < v->n_materials; ++r) {
         const double *restrict mobility = v->m[r].mobility[axis];
         double *restrict face = v->m[r].fu[axis];
@@ -97,6 +93,17 @@ static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
                        pressure_impulse * mobility[R] * (more * (p[R] - p[L]) + phi * (c[R] - c[L]));
         }
     }
+}
+
+/* u*_0: from the explicit centring and the pressure at the start to those of the implicit step. */
+static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
+{
+    ptrdiff_t from, to;
+    if (!inner_faces(s, v, axis, j, k, &from, &to)) return;
+    if (ice_weight_is_uneven(v, axis))
+        centre_inner_faces(v, axis, from, to, true);
+    else
+        centre_inner_faces(v, axis, from, to, false);
 }
 
 floe_status ice_implicit_begin(ice *s, const ice_region *g)

@@ -142,7 +142,7 @@ void ice_view_make(const ice *s, const ice_region *g, int block_id, ice_view *v)
         v->multi = g->n > 1;
     }
     v->traced = g && ice_is_traced(s, g);
-    v->uneven = g && s->implicit && v->multi && ice_bears_unevenly(s, g) ? 1.0 : 0.0;
+    v->uneven = g && s->implicit && v->multi && ice_bears_unevenly(s, g);
     set_spacings(s, block_id, v);
     set_scheme(s, v);
     v->reconcile = v->multi && ice_follows_isentropes(s, g ? g : &s->region[0]);

@@ -63,9 +63,7 @@ static double tension_of(const mpm *s, const edge_group *g, size_t line, int c)
 void edges_push(const mpm *s, const edge_group *g, int c, double *force)
 {
     if (g->n_nodes > 0) memset(force, 0, (size_t)g->n_nodes * sizeof *force);
-    for (size_t k = 0; k < g->n_lines; ++k) {
-        edge_add(&g->line[k], c, tension_of(s, g, k, c), force);
-    }
+    for (size_t k = 0; k < g->n_lines; ++k) edge_add(&g->line[k], c, tension_of(s, g, k, c), force);
 }
 
 void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const double *value)

@@ -18,8 +18,9 @@ unsigned side_constraints(const mpm *s, int group, const int node[MESH_MAX_DIM])
 
 unsigned node_constraints(const mpm *s, int group, const int node[MESH_MAX_DIM])
 {
+    const bool leads = supports_lead_group(s, group);
     for (size_t k = 0; k < s->supports->n; ++k)
-        if (support_constrains(s, group, &s->supports->node[k]) &&
+        if (support_constrains(s, leads, &s->supports->node[k]) &&
             memcmp(s->supports->node[k].node, node, sizeof s->supports->node[k].node) == 0)
             return (1u << s->mesh->dim) - 1u;
     return side_constraints(s, group, node);
@@ -44,9 +45,10 @@ void visit_constraints(const mpm *s, int group, constraint_visitor *visit, void 
             for (int c = 0; c < m->dim; ++c)
                 if (wall_constrains(s, group, axis, side, c))
                     visit_constrained_side(m, axis, side, c, wall_target(s, axis, side, c), visit, user);
+    const bool leads = supports_lead_group(s, group);
     for (size_t k = 0; k < s->supports->n; ++k) {
         const support_node *support = &s->supports->node[k];
-        if (!support_constrains(s, group, support)) continue;
+        if (!support_constrains(s, leads, support)) continue;
         int node[MESH_MAX_DIM] = {0, 0, 0};
         for (int a = 0; a < m->dim; ++a) node[a] = mesh_index_around(m, a, support->node[a]);
         for (int c = 0; c < m->dim; ++c) visit(user, node, c, support_velocity(s, support->support)[c]);

@@ -141,7 +141,7 @@ static void hold_nodes(mpm *s, int group, field_id field, double entered, bool c
     for (size_t k = 0; k < s->supports->n; ++k) {
         support_node own = s->supports->node[k];
         const support_node *n = &own;
-        if (!support_constrains(s, group, n)) continue;
+        if (!support_constrains(s, leads, n)) continue;
         own.led = leads && own.led;
         for (int c = 0; c < s->mesh->dim; ++c) {
             const double value = value_of(s, n, field, group, c, change);

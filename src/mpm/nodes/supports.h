@@ -55,10 +55,10 @@ static inline const double *support_velocity(const mpm *s, int region)
 const support_node *support_of(const mpm *s, const int node[MESH_MAX_DIM]);
 /* Whether supports lead nodes of a group. */
 bool supports_lead_group(const mpm *s, int group);
-/* Whether an entry holds or leads its node for a group. What is not led sticks to fixed bodies by their own nodes (motion/). */
-static inline bool support_constrains(const mpm *s, int group, const support_node *n)
+/* Whether an entry holds or leads its node for a group, `leads` as supports_lead_group says of it. What is not led sticks to fixed bodies by their own nodes (motion/). */
+static inline bool support_constrains(const mpm *s, bool leads, const support_node *n)
 {
-    return (n->inside && s->supports->region[n->support].body < 0) || supports_lead_group(s, group);
+    return leads || (n->inside && s->supports->region[n->support].body < 0);
 }
 /* Whether some of the regions is a fixed body. */
 bool supports_lead_by_body(const mpm *s);
